@@ -1,0 +1,111 @@
+//! What is simulated: plain data in SI units, independent of the method that solves it.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::InvalidInput;
+
+/// A box of equal cells.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GridSpec<const D: usize> {
+    /// Lower corner, m.
+    #[serde(with = "axes")]
+    pub origin: [f64; D],
+    /// Cell size per axis, m.
+    #[serde(with = "axes")]
+    pub spacing: [f64; D],
+    /// Cells per axis, at least one each.
+    #[serde(with = "axes")]
+    pub cells: [usize; D],
+}
+
+/// What holds on one face of the box.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Boundary {
+    /// Normal velocity zero.
+    Slip,
+    /// Velocity zero.
+    NoSlip,
+    /// Velocity prescribed, m/s; entries beyond the dimension are ignored.
+    Velocity([f64; 3]),
+    /// Joined with the opposite face, which must be periodic too.
+    Periodic,
+    /// Traction-free and open: points that cross it are removed and counted.
+    Free,
+}
+
+/// Pressure as a function of density.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum EquationOfStateSpec {
+    /// p = c₀² (ρ − ρ₀), Eq. (35) of \[Song2020\].
+    WeaklyCompressible {
+        /// ρ₀, kg/m³.
+        reference_density: f64,
+        /// c₀, m/s.
+        sound_speed: f64,
+    },
+}
+
+/// One point: position m, velocity m/s, density kg/m³, (nominal) mass kg.
+///
+/// In 2D masses are per metre of depth, in 1D per square metre of cross-section.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PointSpec<const D: usize> {
+    /// Position, m.
+    #[serde(with = "axes")]
+    pub position: [f64; D],
+    /// Velocity, m/s.
+    #[serde(with = "axes")]
+    pub velocity: [f64; D],
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Mass, kg (nominal for methods whose points carry none).
+    pub mass: f64,
+}
+
+/// Everything a simulation starts from. What it does not list is not stored and not computed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene<const D: usize> {
+    /// The background grid.
+    pub grid: GridSpec<D>,
+    /// Lower and upper face of each axis.
+    #[serde(with = "axes")]
+    pub boundaries: [[Boundary; 2]; D],
+    /// Pressure law.
+    pub equation_of_state: EquationOfStateSpec,
+    /// Acceleration, m/s².
+    #[serde(with = "axes")]
+    pub body_force: [f64; D],
+    /// Kinematic viscosity ν, m²/s; absent: inviscid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub viscosity: Option<f64>,
+    /// The points.
+    pub points: Vec<PointSpec<D>>,
+}
+
+/// Fixed-length arrays in scene files, checked for their length.
+mod axes {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer, V: Serialize, const D: usize>(
+        values: &[V; D],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        values.as_slice().serialize(serializer)
+    }
+
+    pub fn deserialize<'de, S: Deserializer<'de>, V: Deserialize<'de>, const D: usize>(
+        deserializer: S,
+    ) -> Result<[V; D], S::Error> {
+        let values = Vec::<V>::deserialize(deserializer)?;
+        let found = values.len();
+        values
+            .try_into()
+            .map_err(|_| S::Error::custom(format!("expected {D} entries, found {found}")))
+    }
+}

@@ -1,0 +1,60 @@
+//! Grid shape functions: one-dimensional rows whose tensor product gives the weights of a point.
+
+use crate::Scalar;
+
+/// Most functions of one axis that are non-zero at a point (cubic B-spline).
+pub const MAX_WIDTH: usize = 4;
+
+/// Where a point sits along one axis, in cells.
+///
+/// The position is split into a cell and a local coordinate so that no accuracy is lost far from
+/// the origin, and so that every shape function shares one cell search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisPosition<T> {
+    /// Cell that holds the point, `0..n_cells`.
+    pub cell: usize,
+    /// Coordinate within the cell, `0 ≤ xi ≤ 1`.
+    pub xi: T,
+    /// Number of cells of the axis, at least one.
+    pub n_cells: usize,
+    /// Whether the axis is periodic: then there are no walls and every cell is interior.
+    pub periodic: bool,
+}
+
+/// The functions of one axis at one point.
+///
+/// Entry `k < WIDTH` belongs to node `cell + first + k` of the axis; entries beyond `WIDTH` are zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row<T> {
+    /// Offset of the first function from the cell's first node; zero unless the support depends on
+    /// the half of the cell (uGIMP).
+    pub first: usize,
+    /// Values N, dimensionless.
+    pub weight: [T; MAX_WIDTH],
+    /// Derivatives dN/dξ per cell (divide by the spacing for 1/m).
+    pub gradient: [T; MAX_WIDTH],
+}
+
+/// A family of grid shape functions, evaluated one axis at a time.
+///
+/// Every family keeps partition of unity, Σ N = 1, and linear reproduction, Σ N_i x_i = x, in every
+/// cell, also next to walls, with the node coordinates of [`ShapeFunction::node_coordinate`]. The
+/// first (last) function alone is non-zero on the lower (upper) wall, so that a velocity prescribed
+/// on the wall's nodes is met exactly on the wall.
+///
+/// An axis of `n` cells stores `n + EXTRA` nodes. The points of cell `c` touch nodes
+/// `c .. c + REACH` only. On a periodic axis node `n + k` is the image of node `k`.
+pub trait ShapeFunction<T: Scalar>: Copy + Send + Sync {
+    /// Functions that can be non-zero at one point, `≤ MAX_WIDTH`.
+    const WIDTH: usize;
+    /// Nodes that the points of one cell can touch, `WIDTH ≤ REACH ≤ MAX_WIDTH`.
+    const REACH: usize;
+    /// Stored nodes of an axis minus its cells, `REACH - 1`.
+    const EXTRA: usize = Self::REACH - 1;
+
+    /// Values and derivatives of the functions at a point.
+    fn row(&self, at: AxisPosition<T>) -> Row<T>;
+
+    /// Coordinate of stored node `index` in cells from the axis' lower end (Greville abscissa).
+    fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T;
+}

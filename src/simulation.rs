@@ -1,0 +1,90 @@
+//! A running simulation, seen without its type parameters.
+
+use crate::error::StepError;
+use crate::telemetry::Counters;
+
+/// State of one point as reported to the outside, in `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointState<const D: usize> {
+    /// Identifier; points of the scene are numbered from zero in scene order.
+    pub id: u32,
+    /// Position, m.
+    pub position: [f64; D],
+    /// Velocity, m/s.
+    pub velocity: [f64; D],
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Pressure, Pa.
+    pub pressure: f64,
+    /// (Nominal) mass, kg.
+    pub mass: f64,
+}
+
+impl<const D: usize> PointState<D> {
+    /// Volume m / ρ, m³ (m² in 2D, m in 1D).
+    pub fn volume(&self) -> f64 {
+        self.mass / self.density
+    }
+}
+
+/// All points at one instant, in order of their identifiers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observation<const D: usize> {
+    /// Time, s.
+    pub time: f64,
+    /// The points.
+    pub points: Vec<PointState<D>>,
+}
+
+/// Totals over the points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conserved<const D: usize> {
+    /// Σ m, kg.
+    pub mass: f64,
+    /// Σ m v, kg m/s.
+    pub momentum: [f64; D],
+    /// Σ m x × v about the origin as (yz, zx, xy) components, kg m²/s; zero in 1D.
+    pub angular_momentum: [f64; 3],
+    /// Σ ½ m v², J.
+    pub kinetic_energy: f64,
+}
+
+/// The largest time step and the limit that sets it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StableTimeStep {
+    /// Time step, s.
+    pub dt: f64,
+    /// Name of the limit, see `time_step`.
+    pub limit: &'static str,
+}
+
+/// A simulation of any method, scalar type and recipe.
+pub trait Simulation<const D: usize>: Send {
+    /// Advances by `dt` seconds.
+    ///
+    /// # Errors
+    /// When a point's state is not finite, has no positive density, or has left through a wall; the
+    /// simulation must not be stepped again then.
+    fn step(&mut self, dt: f64) -> Result<(), StepError>;
+
+    /// The largest stable time step times `courant`, and what limits it.
+    fn stable_dt(&self, courant: f64) -> StableTimeStep;
+
+    /// Time, s.
+    fn time(&self) -> f64;
+
+    /// Number of points.
+    fn n_points(&self) -> usize;
+
+    /// Every point, in order of identifiers.
+    fn observe(&self) -> Observation<D>;
+
+    /// Totals over the points.
+    fn conserved(&self) -> Conserved<D>;
+
+    /// Work and event counters since the start.
+    fn counters(&self) -> Counters;
+
+    /// Bytes of state that each point carries.
+    fn bytes_per_point(&self) -> usize;
+}

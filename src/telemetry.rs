@@ -1,0 +1,44 @@
+//! Integer counters: what a run did, and how often a fallback or limiter acted.
+
+/// Counts since the start of a run. Work counters grow with every step; events are rare and named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Steps taken.
+    pub n_steps: u64,
+    /// Σ over steps of the points.
+    pub n_point_updates: u64,
+    /// Σ over steps of the cells that hold points.
+    pub n_cell_updates: u64,
+    /// Σ over steps of the nodes stored.
+    pub n_node_updates: u64,
+    /// Samples visited by the quadrature.
+    pub n_samples: u64,
+    /// Moving-least-squares systems solved.
+    pub n_reconstructions: u64,
+    /// Reconstructions that fell back to a constant basis because the moments were singular.
+    pub n_singular_fallbacks: u64,
+    /// Reconstructions changed by the positivity limiter.
+    pub n_positivity_limited: u64,
+    /// Steps in which the points were sorted again.
+    pub n_sorts: u64,
+    /// Points removed through a free face.
+    pub n_points_removed: u64,
+}
+
+impl Counters {
+    /// Name and value of each counter, in a fixed order.
+    pub fn entries(&self) -> [(&'static str, u64); 10] {
+        [
+            ("n_steps", self.n_steps),
+            ("n_point_updates", self.n_point_updates),
+            ("n_cell_updates", self.n_cell_updates),
+            ("n_node_updates", self.n_node_updates),
+            ("n_samples", self.n_samples),
+            ("n_reconstructions", self.n_reconstructions),
+            ("n_singular_fallbacks", self.n_singular_fallbacks),
+            ("n_positivity_limited", self.n_positivity_limited),
+            ("n_sorts", self.n_sorts),
+            ("n_points_removed", self.n_points_removed),
+        ]
+    }
+}
