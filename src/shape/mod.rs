@@ -1,5 +1,13 @@
 //! Grid shape functions: one-dimensional rows whose tensor product gives the weights of a point.
 
+mod bspline;
+mod gimp;
+mod linear;
+
+pub use bspline::{CubicBspline, QuadraticBspline};
+pub use gimp::Gimp;
+pub use linear::Linear;
+
 use crate::Scalar;
 
 /// Most functions of one axis that are non-zero at a point (cubic B-spline).
