@@ -1,9 +1,9 @@
 //! Active cells: which cells hold points, and which points each holds.
 
+use crate::Scalar;
 use crate::grid::Grid;
 use crate::math::Field;
 use crate::particles::Particles;
-use crate::Scalar;
 
 /// Marks a cell or node that is not stored.
 pub const ABSENT: u32 = u32::MAX;
@@ -66,6 +66,8 @@ pub struct Cells {
     pub slab_first: Vec<u32>,
     /// Slot → kind.
     pub kind: Vec<CellKind>,
+    /// Slot → whether a node of the cell touches a boundary or empty cell.
+    pub near_surface: Vec<bool>,
     marks: Marks,
     order: Vec<u32>,
     cursor: Vec<u32>,
@@ -108,7 +110,7 @@ impl Cells {
 
     /// Sorts the points by cell (stable counting sort) and lists the active cells.
     ///
-    /// `particles.cell` must be up to date. `spare` is the other half of a double buffer.
+    /// `particles.cell` must be up to date; points marked [`ABSENT`] are dropped. `spare` is the other half of a double buffer.
     pub fn bin<T: Scalar, const D: usize, A: Field<T>, S: Field<T>>(
         &mut self,
         grid: &Grid<T, D>,
@@ -139,7 +141,7 @@ impl Cells {
     }
 
     fn activate(&mut self, cell_of_point: &[u32]) -> bool {
-        for &cell in cell_of_point {
+        for &cell in cell_of_point.iter().filter(|&&cell| cell != ABSENT) {
             self.marks.set(cell as usize);
         }
         std::mem::swap(&mut self.previous, &mut self.index);
@@ -157,6 +159,8 @@ impl Cells {
         }
         self.kind.clear();
         self.kind.resize(self.index.len(), CellKind::Internal);
+        self.near_surface.clear();
+        self.near_surface.resize(self.index.len(), false);
         true
     }
 
@@ -164,7 +168,7 @@ impl Cells {
         let n_cells = self.index.len();
         self.first.clear();
         self.first.resize(n_cells + 1, 0);
-        for &cell in cell_of_point {
+        for &cell in cell_of_point.iter().filter(|&&cell| cell != ABSENT) {
             self.first[self.slot_of[cell as usize] as usize + 1] += 1;
         }
         for slot in 0..n_cells {
@@ -172,8 +176,11 @@ impl Cells {
         }
         self.cursor.clear();
         self.cursor.extend_from_slice(&self.first[..n_cells]);
-        self.order.resize(cell_of_point.len(), 0);
+        self.order.resize(self.first[n_cells] as usize, 0);
         for (point, &cell) in cell_of_point.iter().enumerate() {
+            if cell == ABSENT {
+                continue;
+            }
             let cursor = &mut self.cursor[self.slot_of[cell as usize] as usize];
             self.order[*cursor as usize] = point as u32;
             *cursor += 1;

@@ -144,7 +144,12 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
 
     /// Where a point of a known cell sits along an axis.
     #[inline(always)]
-    pub fn axis_position(&self, position: [T; D], cell: [usize; D], axis: usize) -> AxisPosition<T> {
+    pub fn axis_position(
+        &self,
+        position: [T; D],
+        cell: [usize; D],
+        axis: usize,
+    ) -> AxisPosition<T> {
         AxisPosition {
             cell: cell[axis],
             xi: self.in_cells(position, axis) - T::lit(cell[axis] as f64),
@@ -187,7 +192,11 @@ fn check_axis<const D: usize>(
     }
     if (faces[0] == Boundary::Periodic) != (faces[1] == Boundary::Periodic) {
         let field = format!("boundaries[{axis}]");
-        return Err(InvalidInput::new(field, format!("{faces:?}"), "periodic on both faces or on none"));
+        return Err(InvalidInput::new(
+            field,
+            format!("{faces:?}"),
+            "periodic on both faces or on none",
+        ));
     }
     if faces[0] == Boundary::Periodic && cells < extra.max(2) {
         let allowed = format!("at least {} cells on a periodic axis", extra.max(2));

@@ -29,7 +29,7 @@ pub fn narrow<T: Scalar, const D: usize>(row: [T; 4]) -> [T; D] {
 }
 
 /// A quantity that can be averaged: scalars, vectors, tensors, and `()` for what a scene lacks.
-pub trait Field<T>: Copy + Default + Send + Sync + 'static {
+pub trait Field<T>: Copy + Default + std::fmt::Debug + Send + Sync + 'static {
     /// Adds `weight · other`.
     fn add_scaled(&mut self, weight: T, other: Self);
 }
@@ -40,10 +40,16 @@ impl<T> Field<T> for () {
 }
 
 /// A scalar field value.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value<T>(pub T);
 
-impl<T: Scalar + Default> Field<T> for Value<T> {
+impl<T: Scalar> Default for Value<T> {
+    fn default() -> Self {
+        Self(T::zero())
+    }
+}
+
+impl<T: Scalar> Field<T> for Value<T> {
     #[inline(always)]
     fn add_scaled(&mut self, weight: T, other: Self) {
         self.0 += weight * other.0;

@@ -1,10 +1,10 @@
 //! Active nodes: the nodes that the points of active cells touch, stored in ascending order.
 
+use crate::Scalar;
 use crate::cells::{ABSENT, Cells, Marks, SLAB_LAYERS};
 use crate::grid::Grid;
 use crate::scene::Boundary;
 use crate::shape::ShapeFunction;
-use crate::Scalar;
 
 /// A node on a face of the box where a velocity is prescribed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,22 +176,23 @@ impl<T: Scalar> Nodes<T> {
         shape: &S,
         boundaries: &[[Boundary; 2]; D],
     ) {
-        self.walls.clear();
-        for axis in 0..D {
-            for side in 0..2 {
-                if matches!(boundaries[axis][side], Boundary::Periodic | Boundary::Free) {
-                    continue;
-                }
+        let on_wall = std::array::from_fn::<_, D, _>(|axis| {
+            [0, 1].map(|side| {
                 let n = grid.n_cells[axis];
+                let open = matches!(boundaries[axis][side], Boundary::Periodic | Boundary::Free);
                 let wall = T::lit(if side == 0 { 0.0 } else { n as f64 });
-                for (slot, &node) in self.index.iter().enumerate() {
-                    let at = shape.node_coordinate(grid.node_coordinates(node)[axis], n, false);
-                    if at == wall {
-                        self.walls.push(WallNode {
-                            slot: slot as u32,
-                            axis: axis as u8,
-                            side: side as u8,
-                        });
+                (0..grid.n_nodes(axis))
+                    .find(|&node| !open && shape.node_coordinate(node, n, false) == wall)
+            })
+        });
+        self.walls.clear();
+        for (slot, &node) in self.index.iter().enumerate() {
+            let at = grid.node_coordinates(node);
+            for axis in 0..D {
+                for side in 0..2 {
+                    if on_wall[axis][side] == Some(at[axis]) {
+                        let (axis, side) = (axis as u8, side as u8);
+                        self.walls.push(WallNode { slot: slot as u32, axis, side });
                     }
                 }
             }

@@ -1,8 +1,8 @@
 //! The points: a structure of arrays kept in cell order.
 
+use crate::Scalar;
 use crate::math::Field;
 use crate::parallel::{Split, for_each_block};
-use crate::Scalar;
 
 /// Points per task when arrays are permuted or totals are formed.
 pub const POINT_GRAIN: usize = 4096;
@@ -10,7 +10,7 @@ pub const POINT_GRAIN: usize = 4096;
 /// State of all points; `A` is the affine velocity field and `S` the stress, both `()` when absent.
 ///
 /// All arrays have the same length. An absent ingredient is an array of `()`, which takes no memory.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Particles<T, const D: usize, A, S> {
     /// Identifier given at creation.
     pub id: Vec<u32>,
@@ -30,6 +30,21 @@ pub struct Particles<T, const D: usize, A, S> {
     pub stress: Vec<S>,
 }
 
+impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
+    fn default() -> Self {
+        Self {
+            id: Vec::new(),
+            cell: Vec::new(),
+            position: Vec::new(),
+            velocity: Vec::new(),
+            density: Vec::new(),
+            mass: Vec::new(),
+            affine: Vec::new(),
+            stress: Vec::new(),
+        }
+    }
+}
+
 impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> {
     /// Number of points.
     pub fn len(&self) -> usize {
@@ -42,14 +57,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
     }
 
     /// Appends a point at rest relative to its affine field.
-    pub fn push(
-        &mut self,
-        id: u32,
-        position: [T; D],
-        velocity: [T; D],
-        density: T,
-        mass: T,
-    ) {
+    pub fn push(&mut self, id: u32, position: [T; D], velocity: [T; D], density: T, mass: T) {
         self.id.push(id);
         self.cell.push(0);
         self.position.push(position);
@@ -97,12 +105,15 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
     }
 }
 
-fn permute<A: Copy + Default + Send + Sync>(target: &mut Vec<A>, source: &[A], order: &[u32]) {
+fn permute<A: Copy + Send + Sync>(target: &mut Vec<A>, source: &[A], order: &[u32]) {
+    let Some(&any) = source.first() else {
+        target.clear();
+        return;
+    };
+    target.resize(order.len(), any);
     if size_of::<A>() == 0 {
-        target.resize(order.len(), A::default());
         return;
     }
-    target.resize(order.len(), A::default());
     for_each_block(order.len(), POINT_GRAIN, target.as_mut_slice(), &|range, part: &mut [A]| {
         for (to, &from) in part.iter_mut().zip(&order[range]) {
             *to = source[from as usize];
