@@ -8,6 +8,7 @@ pub mod scene;
 pub mod shape;
 pub mod simulation;
 pub mod telemetry;
+pub mod time_step;
 pub mod variants;
 
 pub use error::{InvalidInput, StepError};
