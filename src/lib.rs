@@ -34,6 +34,7 @@ pub mod conservation;
 pub mod simulation;
 pub mod solver;
 pub mod telemetry;
+pub mod time_step;
 pub mod variants;
 
 pub use error::{InvalidInput, StepError};

@@ -1,5 +1,7 @@
 //! The floating-point type of a simulation.
 
+#![expect(clippy::inline_always, reason = "conversions of literals must vanish in hot kernels")]
+
 use nalgebra::RealField;
 use num_traits::{FromPrimitive, ToPrimitive};
 

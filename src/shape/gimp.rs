@@ -57,7 +57,7 @@ impl<T: Scalar> ShapeFunction<T> for Gimp<T> {
         let right_weight = right * (ends[1] - half * overlaps[1]);
         Row {
             first: usize::from(upper),
-            weight: [left_weight, one - left_weight - right_weight, right_weight, zero],
+            weight: [left_weight, one - (left_weight + right_weight), right_weight, zero],
             gradient: [-left, left - right, right, zero],
         }
     }
