@@ -243,7 +243,7 @@ fn a_point_alone_falls_freely() {
                     .unwrap();
                 near(variant.name(), point.velocity[axis], v + n * dt * g, 1e-14).unwrap();
             }
-            near(variant.name(), point.density, start.density, 1e-9).unwrap();
+            near(variant.name(), point.density, start.density, 1e-10).unwrap();
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use transpoint::method::{Method, Scheme};
 use transpoint::scene::Scene;
-use transpoint::step::{GridState, Outcome, StateSource, grid_to_particles};
+use transpoint::step::{GridState, Outcome, StateSource, divergence, grid_to_particles};
 use transpoint::stress::{DeviatoricStress, Inviscid};
 use transpoint::variants::StressUpdate;
 use transpoint::{Scalar, Solver, formulation::Formulation};
@@ -127,4 +127,17 @@ where
         }
     }
     (sum, size)
+}
+
+/// Divergence of each active cell from `nodes.velocity`.
+pub fn cell_divergence<T, const D: usize, M, K>(solver: &Solver<T, D, M, K>) -> Vec<T>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    let Solver { method, grid, cells, nodes, .. } = solver;
+    let mut values = vec![T::zero(); cells.len()];
+    divergence((grid, cells, &method.shape()), &nodes.rows, &nodes.velocity, &mut values);
+    values
 }
