@@ -337,14 +337,16 @@ fn settle<T: Scalar, const D: usize>(
     }
     let mut removed = false;
     for axis in 0..D {
-        let length = grid.spacing[axis] * T::lit(grid.n_cells[axis] as f64);
-        let below = position[axis] < grid.origin[axis];
-        let above = position[axis] > grid.origin[axis] + length;
-        if grid.periodic[axis] {
-            if below {
-                position[axis] += length;
-            } else if above {
-                position[axis] -= length;
+        let n = T::lit(grid.n_cells[axis] as f64);
+        let below = grid.in_cells(*position, axis) < T::zero();
+        let above = grid.in_cells(*position, axis) > n;
+        if grid.periodic[axis] && (below || above) {
+            let length = grid.spacing[axis] * n;
+            position[axis] += if below { length } else { -length };
+            // On the face itself rounding can put the image out on the other side.
+            let image = grid.in_cells(*position, axis);
+            if (below && image > n) || (above && image < T::zero()) {
+                position[axis] = grid.origin[axis];
             }
         } else if below || above {
             removed |= boundaries[axis][usize::from(above)] == Boundary::Free;
