@@ -15,13 +15,15 @@ pub fn rows_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     cell: [usize; D],
     position: [T; D],
 ) -> Rows<T, D> {
-    std::array::from_fn(|axis| {
-        let mut row = shape.row(grid.axis_position(position, cell, axis));
+    let zero = [T::zero(); MAX_WIDTH];
+    let mut rows = [Row { first: 0, weight: zero, gradient: zero }; D];
+    for axis in 0..D {
+        rows[axis] = shape.row(grid.axis_position(position, cell, axis));
         for k in 0..S::WIDTH {
-            row.gradient[k] *= grid.inverse_spacing[axis];
+            rows[axis].gradient[k] *= grid.inverse_spacing[axis];
         }
-        row
-    })
+    }
+    rows
 }
 
 /// Evaluates the shape functions at the centre of a cell.
@@ -117,12 +119,12 @@ pub fn moments_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     node_at: &[[T; MAX_WIDTH]; D],
     position: [T; D],
 ) -> [[T; MAX_WIDTH]; D] {
-    std::array::from_fn(|axis| {
-        let mut moment = [T::zero(); MAX_WIDTH];
+    let mut moments = [[T::zero(); MAX_WIDTH]; D];
+    for axis in 0..D {
         for k in 0..S::WIDTH {
             let offset = node_at[axis][rows[axis].first + k] - position[axis];
-            moment[k] = rows[axis].weight[k] * offset;
+            moments[axis][k] = rows[axis].weight[k] * offset;
         }
-        moment
-    })
+    }
+    moments
 }

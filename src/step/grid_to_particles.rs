@@ -243,10 +243,12 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Place<'_, T, D, H> {
     #[inline(always)]
     fn weights<S: Simd>(&self, simd: S) -> [T::Four<S>; MAX_WIDTH] {
         let last = &self.rows[D - 1];
-        std::array::from_fn(|k| {
+        let mut weights = [splat(simd, T::zero()); MAX_WIDTH];
+        for k in 0..H::WIDTH {
             let (n, slope) = (last.weight[k], last.gradient[k]);
-            load(simd, &[n, n, n, slope])
-        })
+            weights[k] = load(simd, &[n, n, n, slope]);
+        }
+        weights
     }
 
     /// Sums of v⁺ and, as the transfer needs them, of Δt a and of first moments.
@@ -259,49 +261,63 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Place<'_, T, D, H> {
     ) -> Gathered<T, D> {
         let (rows, inner) = (self.rows, D - 1);
         let weights = self.weights(simd);
-        let moment_last: [T::Four<S>; MAX_WIDTH] =
-            std::array::from_fn(|k| splat(simd, moments[inner][k]));
         let zero = splat(simd, T::zero());
+        let mut moment_last = [zero; MAX_WIDTH];
+        if X::AFFINE {
+            for k in 0..H::WIDTH {
+                moment_last[k] = splat(simd, moments[inner][k]);
+            }
+        }
         let (mut velocity, mut increment, mut moment) = (zero, zero, [zero; D]);
         let mut divergence = T::zero();
-        for_each_outer_row::<T, D, H>(rows, |outer| {
-            let start = self.starts[outer.row] as usize + rows[inner].first;
-            let nodes = &state.velocity[start..start + H::WIDTH];
-            let weight = splat(simd, outer.weight);
-            let mut line = load(simd, &nodes[0]) * weights[0];
-            for k in 1..H::WIDTH {
-                line = line + load(simd, &nodes[k]) * weights[k];
-            }
-            velocity = velocity + line * weight;
-            for axis in 0..inner {
-                divergence +=
-                    outer.replace(rows, axis, &rows[axis].gradient) * line.as_array()[axis];
-            }
-            if X::AFFINE {
+        for_each_outer_row::<T, D, H>(
+            rows,
+            #[inline(always)]
+            |outer| {
+                let start = self.starts[outer.row] as usize + rows[inner].first;
+                let nodes = &state.velocity[start..start + H::WIDTH];
+                let weight = splat(simd, outer.weight);
+                let mut line = load(simd, &nodes[0]) * weights[0];
+                for k in 1..H::WIDTH {
+                    line = line + load(simd, &nodes[k]) * weights[k];
+                }
+                velocity = velocity + line * weight;
                 for axis in 0..inner {
-                    let outer_moment = outer.replace(rows, axis, &moments[axis]);
-                    moment[axis] = moment[axis] + line * splat(simd, outer_moment);
+                    divergence +=
+                        outer.replace(rows, axis, &rows[axis].gradient) * line.as_array()[axis];
                 }
-                let mut along = load(simd, &nodes[0]) * moment_last[0];
-                for k in 1..H::WIDTH {
-                    along = along + load(simd, &nodes[k]) * moment_last[k];
+                if X::AFFINE {
+                    for axis in 0..inner {
+                        let outer_moment = outer.replace(rows, axis, &moments[axis]);
+                        moment[axis] = moment[axis] + line * splat(simd, outer_moment);
+                    }
+                    let mut along = load(simd, &nodes[0]) * moment_last[0];
+                    for k in 1..H::WIDTH {
+                        along = along + load(simd, &nodes[k]) * moment_last[k];
+                    }
+                    moment[inner] = moment[inner] + along * weight;
                 }
-                moment[inner] = moment[inner] + along * weight;
-            }
-            if X::USES_INCREMENT {
-                let nodes = &state.increment[start..start + H::WIDTH];
-                let mut change = load(simd, &nodes[0]) * weights[0];
-                for k in 1..H::WIDTH {
-                    change = change + load(simd, &nodes[k]) * weights[k];
+                if X::USES_INCREMENT {
+                    let nodes = &state.increment[start..start + H::WIDTH];
+                    let mut change = load(simd, &nodes[0]) * weights[0];
+                    for k in 1..H::WIDTH {
+                        change = change + load(simd, &nodes[k]) * weights[k];
+                    }
+                    increment = increment + change * weight;
                 }
-                increment = increment + change * weight;
-            }
-        });
+            },
+        );
         let velocity = velocity.to_array();
+        let mut columns = [[T::zero(); 4]; D];
+        if X::AFFINE {
+            for axis in 0..D {
+                columns[axis] = moment[axis].to_array();
+            }
+        }
         Gathered {
             velocity,
             increment: increment.to_array(),
-            moment: moment.map(|column| column.to_array()),
+            moment: columns,
             divergence: divergence + velocity[3],
         }
     }
@@ -311,18 +327,22 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Place<'_, T, D, H> {
     fn divergence<S: Simd>(&self, simd: S, nodes: &[[T; 4]]) -> T {
         let weights = self.weights(simd);
         let mut sum = T::zero();
-        for_each_outer_row::<T, D, H>(self.rows, |outer| {
-            let start = self.starts[outer.row] as usize + self.rows[D - 1].first;
-            let mut line = splat(simd, T::zero());
-            for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
-                line = line + load(simd, node) * weights[k];
-            }
-            let line = line.to_array();
-            sum += outer.weight * line[3];
-            for axis in 0..D - 1 {
-                sum += outer.replace(self.rows, axis, &self.rows[axis].gradient) * line[axis];
-            }
-        });
+        for_each_outer_row::<T, D, H>(
+            self.rows,
+            #[inline(always)]
+            |outer| {
+                let start = self.starts[outer.row] as usize + self.rows[D - 1].first;
+                let mut line = splat(simd, T::zero());
+                for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
+                    line = line + load(simd, node) * weights[k];
+                }
+                let line = line.to_array();
+                sum += outer.weight * line[3];
+                for axis in 0..D - 1 {
+                    sum += outer.replace(self.rows, axis, &self.rows[axis].gradient) * line[axis];
+                }
+            },
+        );
         sum
     }
 
@@ -332,20 +352,24 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Place<'_, T, D, H> {
         let (rows, inner) = (self.rows, D - 1);
         let zero = splat(simd, T::zero());
         let mut columns = [zero; D];
-        for_each_outer_row::<T, D, H>(rows, |outer| {
-            let start = self.starts[outer.row] as usize + rows[inner].first;
-            let (mut value, mut slope) = (zero, zero);
-            for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
-                let node = load(simd, node);
-                value = value + node * splat(simd, rows[inner].weight[k]);
-                slope = slope + node * splat(simd, rows[inner].gradient[k]);
-            }
-            for axis in 0..inner {
-                let gradient = outer.replace(rows, axis, &rows[axis].gradient);
-                columns[axis] = columns[axis] + value * splat(simd, gradient);
-            }
-            columns[inner] = columns[inner] + slope * splat(simd, outer.weight);
-        });
+        for_each_outer_row::<T, D, H>(
+            rows,
+            #[inline(always)]
+            |outer| {
+                let start = self.starts[outer.row] as usize + rows[inner].first;
+                let (mut value, mut slope) = (zero, zero);
+                for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
+                    let node = load(simd, node);
+                    value = value + node * splat(simd, rows[inner].weight[k]);
+                    slope = slope + node * splat(simd, rows[inner].gradient[k]);
+                }
+                for axis in 0..inner {
+                    let gradient = outer.replace(rows, axis, &rows[axis].gradient);
+                    columns[axis] = columns[axis] + value * splat(simd, gradient);
+                }
+                columns[inner] = columns[inner] + slope * splat(simd, outer.weight);
+            },
+        );
         let columns = columns.map(|column| column.to_array());
         std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
     }
@@ -359,12 +383,14 @@ fn second_moments<T: Scalar, const D: usize, H: ShapeFunction<T>>(
     node_at: &[[T; MAX_WIDTH]; D],
     position: [T; D],
 ) -> [T; D] {
-    std::array::from_fn(|axis| {
-        let first = rows[axis].first;
-        (0..H::WIDTH).fold(T::zero(), |sum, k| {
-            sum + moments[axis][k] * (node_at[axis][first + k] - position[axis])
-        })
-    })
+    let mut second = [T::zero(); D];
+    for axis in 0..D {
+        for k in 0..H::WIDTH {
+            let offset = node_at[axis][rows[axis].first + k] - position[axis];
+            second[axis] += moments[axis][k] * offset;
+        }
+    }
+    second
 }
 
 #[inline(always)]

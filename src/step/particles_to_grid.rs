@@ -185,11 +185,11 @@ where
         let value = [T::zero(), T::zero(), T::zero(), mass];
         let stress = if full { center.stress } else { StressOf::<T, D, K>::default() };
         let flux = self.flux(center.pressure * center.volume, center.volume, &stress);
-        let spread = Spread {
-            value: load(simd, &value),
-            affine: [splat(simd, T::zero()); D],
-            flux: flux.map(|column| load(simd, &column)),
-        };
+        let zero = splat(simd, T::zero());
+        let mut spread = Spread { value: load(simd, &value), affine: [zero; D], flux: [zero; D] };
+        for axis in 0..D {
+            spread.flux[axis] = load(simd, &flux[axis]);
+        }
         let none = [[T::zero(); MAX_WIDTH]; D];
         let fused = fuses_impulse::<T, D, M>();
         let sums = if fused { &mut *target.transfer } else { &mut *target.force };
@@ -201,19 +201,19 @@ where
     #[inline(always)]
     fn flux(&self, work: T, volume: T, stress: &StressOf<T, D, K>) -> [[T; 4]; D] {
         let scale = if fuses_impulse::<T, D, M>() { self.dt } else { T::one() };
-        std::array::from_fn(|axis| {
-            let mut column = [T::zero(); 4];
-            column[axis] = scale * work;
+        let mut columns = [[T::zero(); 4]; D];
+        for axis in 0..D {
+            columns[axis][axis] = scale * work;
             if K::PRESENT {
                 let mut unit = [T::zero(); D];
                 unit[axis] = scale * volume;
                 let viscous = K::times(stress, unit);
                 for row in 0..D {
-                    column[row] -= viscous[row];
+                    columns[axis][row] -= viscous[row];
                 }
             }
-            column
-        })
+        }
+        columns
     }
 
     /// The points of a cell: transfer momentum and, given their volumes, mass and force as samples.
@@ -236,7 +236,10 @@ where
             let position = p.position[point];
             let rows = rows_at(&shape, view.grid, cell, position);
             let (mass, density) = (p.mass[point], p.density[point]);
-            let mut momentum = widen(p.velocity[point].map(|v| mass * v));
+            let mut momentum = [T::zero(); 4];
+            for axis in 0..D {
+                momentum[axis] = mass * p.velocity[point][axis];
+            }
             momentum[3] = mass;
             let mut spread =
                 Spread { value: load(simd, &momentum), affine: [zero; D], flux: [zero; D] };
@@ -257,7 +260,9 @@ where
             let pressure = view.physics.equation_of_state.pressure(density);
             let work = if *with_pressure { volume * pressure } else { T::zero() };
             let flux = self.flux(work, volume, &p.stress[point]);
-            spread.flux = flux.map(|column| load(simd, &column));
+            for axis in 0..D {
+                spread.flux[axis] = load(simd, &flux[axis]);
+            }
             if fuses_impulse::<T, D, M>() {
                 if affine {
                     at.add::<S, M::Shape, true, true>(simd, begin, &spread, target.transfer);
@@ -311,38 +316,42 @@ impl<T: Scalar, const D: usize> Place<'_, T, D> {
         let starts = &self.starts[self.slot * n_rows..(self.slot + 1) * n_rows];
         let (rows, inner) = (self.rows, D - 1);
         let last = &rows[inner];
-        let weight: [T::Four<S>; MAX_WIDTH] = std::array::from_fn(|k| splat(simd, last.weight[k]));
-        let along: [T::Four<S>; MAX_WIDTH] = std::array::from_fn(|k| {
-            let mut sum = splat(simd, T::zero());
+        let zero = splat(simd, T::zero());
+        let (mut weight, mut along) = ([zero; MAX_WIDTH], [zero; MAX_WIDTH]);
+        for k in 0..H::WIDTH {
+            weight[k] = splat(simd, last.weight[k]);
             if AFFINE {
-                sum = spread.affine[inner] * splat(simd, self.moments[inner][k]);
+                along[k] = spread.affine[inner] * splat(simd, self.moments[inner][k]);
             }
             if FLUX {
-                sum = sum + spread.flux[inner] * splat(simd, last.gradient[k]);
+                along[k] = along[k] + spread.flux[inner] * splat(simd, last.gradient[k]);
             }
-            sum
-        });
-        for_each_outer_row::<T, D, H>(rows, |outer| {
-            let start = starts[outer.row] as usize + last.first - node_begin;
-            let outer_weight = splat(simd, outer.weight);
-            let mut row = spread.value * outer_weight;
-            for axis in 0..inner {
-                if AFFINE {
-                    let moment = outer.replace(rows, axis, &self.moments[axis]);
-                    row = row + spread.affine[axis] * splat(simd, moment);
+        }
+        for_each_outer_row::<T, D, H>(
+            rows,
+            #[inline(always)]
+            |outer| {
+                let start = starts[outer.row] as usize + last.first - node_begin;
+                let outer_weight = splat(simd, outer.weight);
+                let mut row = spread.value * outer_weight;
+                for axis in 0..inner {
+                    if AFFINE {
+                        let moment = outer.replace(rows, axis, &self.moments[axis]);
+                        row = row + spread.affine[axis] * splat(simd, moment);
+                    }
+                    if FLUX {
+                        let gradient = outer.replace(rows, axis, &rows[axis].gradient);
+                        row = row + spread.flux[axis] * splat(simd, gradient);
+                    }
                 }
-                if FLUX {
-                    let gradient = outer.replace(rows, axis, &rows[axis].gradient);
-                    row = row + spread.flux[axis] * splat(simd, gradient);
+                for (k, sum) in sums[start..start + H::WIDTH].iter_mut().enumerate() {
+                    let mut part = row * weight[k];
+                    if AFFINE || FLUX {
+                        part = part + along[k] * outer_weight;
+                    }
+                    add_to(simd, sum, part);
                 }
-            }
-            for (k, sum) in sums[start..start + H::WIDTH].iter_mut().enumerate() {
-                let mut part = row * weight[k];
-                if AFFINE || FLUX {
-                    part = part + along[k] * outer_weight;
-                }
-                add_to(simd, sum, part);
-            }
-        });
+            },
+        );
     }
 }
