@@ -141,7 +141,7 @@ impl Row {
 
 impl Findings {
     /// Findings of a run that could not be set up; `rows` are those it would have had.
-    pub fn not_built(reason: impl ToString, rows: Vec<Row>) -> Self {
+    pub fn not_built(reason: &impl ToString, rows: Vec<Row>) -> Self {
         Self {
             outcome: Outcome::NotBuilt { reason: reason.to_string() },
             rows,

@@ -135,34 +135,33 @@ fn list(arguments: &ListArguments) -> Result<Verdict> {
 }
 
 fn list_text(listed: &[ListedCase], plan: &Plan) -> String {
-    let mut text = String::new();
-    for case in listed {
-        let done = case.runs.iter().filter(|run| run.on_record).count();
-        text += &format!("{}: {}\n", case.case, case.about);
-        text += &format!("  variants: {}\n", case.variants.join(", "));
-        text += &format!("  levels:   0 to {}\n", case.levels.saturating_sub(1));
-        text += &format!(
-            "  runs:     {} in tier {}, {done} on record in {}\n",
+    let describe = |case: &ListedCase| {
+        format!(
+            "{}: {}\n  variants: {}\n  levels:   0 to {}\n  \
+             runs:     {} in tier {}, {} on record in {}\n",
+            case.case,
+            case.about,
+            case.variants.join(", "),
+            case.levels.saturating_sub(1),
             case.runs.len(),
             plan.tier.name(),
+            case.runs.iter().filter(|run| run.on_record).count(),
             plan.out.display()
-        );
-    }
-    text
+        )
+    };
+    listed.iter().map(describe).collect::<Vec<_>>().join("\n")
 }
 
 fn summary_text(summary: &Summary) -> String {
-    let mut text = format!(
-        "{} runs: {} executed, {} on record\n",
+    let mut lines = vec![format!(
+        "{} runs: {} executed, {} on record",
         summary.selected, summary.executed, summary.skipped
-    );
+    )];
     if !summary.not_completed.is_empty() {
-        text += &format!("{} did not complete:\n", summary.not_completed.len());
-        for line in &summary.not_completed {
-            text += &format!("  {line}\n");
-        }
+        lines.push(format!("{} did not complete:", summary.not_completed.len()));
+        lines.extend(summary.not_completed.iter().map(|line| format!("  {line}")));
     }
-    text
+    lines.join("\n") + "\n"
 }
 
 fn print_checks(checks: &[Check], format: Format, only_failed: bool) -> Result<()> {
@@ -172,14 +171,14 @@ fn print_checks(checks: &[Check], format: Format, only_failed: bool) -> Result<(
     let shown: Vec<_> =
         checks.iter().filter(|check| !(only_failed && check.holds())).cloned().collect();
     let failed = checks.iter().filter(|check| !check.holds()).count();
-    let mut text = if shown.is_empty() {
+    let summary =
+        format!("{} checks: {} passed, {failed} failed\n", checks.len(), checks.len() - failed);
+    let table = if shown.is_empty() {
         String::new()
     } else {
         table::terminal(&report::CHECK_COLUMNS, report::check_rows(&shown).into_iter()) + "\n"
     };
-    text +=
-        &format!("{} checks: {} passed, {failed} failed\n", checks.len(), checks.len() - failed);
-    print_text(&text)
+    print_text(&(table + &summary))
 }
 
 fn print_json(value: &impl Serialize) -> Result<()> {

@@ -132,18 +132,18 @@ impl Case for SineWave {
         let rows = scene::missing_rows(spec.label("instant"));
         let variant = match Variant::parse(&spec.variant) {
             Ok(variant) => variant,
-            Err(error) => return Findings::not_built(error, rows),
+            Err(error) => return Findings::not_built(&error, rows),
         };
         let parameters = match serde_json::from_value::<Parameters>(spec.parameters.clone()) {
             Ok(parameters) => parameters,
-            Err(error) => return Findings::not_built(error, rows),
+            Err(error) => return Findings::not_built(&error, rows),
         };
         let settings = &parameters.settings;
         let run = scene::Run { parameters: &parameters, instant: spec.label("instant"), progress };
         match parameters.dimension {
             2 => run.execute::<2>(|scene| variant.build_2d(scene, settings)),
             3 => run.execute::<3>(|scene| variant.build_3d(scene, settings)),
-            other => Findings::not_built(format!("dimension {other}"), rows),
+            other => Findings::not_built(&format!("dimension {other}"), rows),
         }
     }
 

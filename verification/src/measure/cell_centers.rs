@@ -189,8 +189,8 @@ fn neighbors<const D: usize>(
         let mut shift = [0.0; D];
         let mut rest = code;
         for axis in 0..D {
-            let n = grid.cells[axis] as isize;
-            let index = cell[axis] as isize + (rest % 3) as isize - 1;
+            let n = grid.cells[axis].cast_signed();
+            let index = (cell[axis] + rest % 3).cast_signed() - 1;
             rest /= 3;
             let inside = (0..n).contains(&index);
             if !inside && !periodic[axis] {

@@ -18,38 +18,35 @@ pub struct Chapter {
 
 /// Renders the page as Markdown.
 pub fn render(chapters: &[Chapter], events: &[Vec<String>]) -> String {
-    let mut text = String::from(
+    let mut parts = vec![
         "# Accuracy\n\nWritten by `verify report` from the records of runs; do not edit. \
          Numbers of all cases: [checks.csv](checks.csv), [orders.csv](orders.csv), \
-         [events.csv](events.csv).\n",
-    );
-    for chapter in chapters {
-        let failed = chapter.checks.iter().filter(|check| !check.holds()).count();
-        text += &format!("\n## {}\n\n{}.\n\n", chapter.name, chapter.about);
-        text += &format!(
-            "Checks: {} of {} hold. All errors: [errors/{}.csv](errors/{}.csv).\n",
-            chapter.checks.len() - failed,
-            chapter.checks.len(),
-            chapter.name,
-            chapter.name
-        );
+         [events.csv](events.csv).\n"
+            .to_owned(),
+    ];
+    for Chapter { name, about, artifacts, checks } in chapters {
+        let failed = checks.iter().filter(|check| !check.holds()).count();
+        parts.push(format!(
+            "\n## {name}\n\n{about}.\n\nChecks: {} of {} hold. \
+             All errors: [errors/{name}.csv](errors/{name}.csv).\n",
+            checks.len() - failed,
+            checks.len(),
+        ));
         let shown = |artifact: &&Artifact| artifact.area == Area::Accuracy;
-        for artifact in chapter.artifacts.iter().filter(shown) {
-            text += &format!("\n### {}\n\n{}", artifact.title, embed(artifact));
+        for artifact in artifacts.iter().filter(shown) {
+            parts.push(format!("\n### {}\n\n{}", artifact.title, embed(artifact)));
         }
-        if !chapter.checks.is_empty() {
-            text += "\n### Checks\n\n";
-            text += &table::markdown(
-                &CHECK_COLUMNS[1..],
-                check_rows(&chapter.checks).into_iter().map(|row| row[1..].to_vec()),
-            );
+        if !checks.is_empty() {
+            parts.push("\n### Checks\n\n".to_owned());
+            let rows = check_rows(checks).into_iter().map(|row| row[1..].to_vec());
+            parts.push(table::markdown(&CHECK_COLUMNS[1..], rows));
         }
     }
     if !events.is_empty() {
-        text += "\n## Runs that did not complete\n\n";
-        text += &table::markdown(&EVENT_COLUMNS, events.iter().cloned());
+        parts.push("\n## Runs that did not complete\n\n".to_owned());
+        parts.push(table::markdown(&EVENT_COLUMNS, events.iter().cloned()));
     }
-    text
+    parts.concat()
 }
 
 fn embed(artifact: &Artifact) -> String {

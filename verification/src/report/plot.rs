@@ -61,7 +61,7 @@ pub fn svg(figure: &Figure) -> Result<String> {
     style::prepare_font()?;
     let columns = figure.columns.clamp(1, figure.panels.len().max(1));
     let rows = figure.panels.len().div_ceil(columns);
-    let size = (PANEL.0 * columns as i32, TITLE + PANEL.1 * rows as i32);
+    let size = corner(columns, rows);
     let mut text = String::new();
     {
         let canvas =
@@ -69,13 +69,18 @@ pub fn svg(figure: &Figure) -> Result<String> {
         canvas.fill(&WHITE).map_err(style::drawing_error)?;
         style::text(&canvas, &figure.title, (size.0 / 2, TITLE / 2), LARGE, Anchor::Middle)?;
         for (index, panel) in figure.panels.iter().enumerate() {
-            let origin =
-                ((index % columns) as i32 * PANEL.0, TITLE + (index / columns) as i32 * PANEL.1);
+            let origin = corner(index % columns, index / columns);
             draw_panel(&canvas, panel, origin)?;
         }
         canvas.present().map_err(style::drawing_error)?;
     }
     Ok(text)
+}
+
+/// Upper left corner of a panel.
+fn corner(column: usize, row: usize) -> (i32, i32) {
+    let count = |n: usize| i32::try_from(n).unwrap_or(i32::MAX);
+    (PANEL.0.saturating_mul(count(column)), TITLE + PANEL.1.saturating_mul(count(row)))
 }
 
 /// Pixel box of the plotted area.

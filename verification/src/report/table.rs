@@ -70,7 +70,7 @@ impl Table {
             self.rows.iter().map(|row| row.iter().map(Cell::readable).collect()),
         );
         if !self.note.is_empty() {
-            text += &format!("\n{}\n", self.note);
+            text = text + "\n" + &self.note + "\n";
         }
         text
     }

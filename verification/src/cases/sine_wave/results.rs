@@ -14,9 +14,11 @@ use crate::report::{Area, Artifact, Content};
 
 const NORMS: [&str; 2] = ["point-l2", "gauss-l2"];
 
-/// Order of the pressure error at the instant of the paper: variant, layout, norm, lower and upper
-/// bound. Set beforehand from the claim of \[Song2020\] and the measurements of a prototype.
-const ORDER_CHECKS: [(&str, &str, &str, Option<f64>, Option<f64>); 7] = [
+/// Variant, layout, norm, lower and upper bound.
+type OrderCheck = (&'static str, &'static str, &'static str, Option<f64>, Option<f64>);
+
+/// Order of the pressure error at the instant of the paper. Set beforehand from the claim of \[Song2020\] and the measurements of a prototype.
+const ORDER_CHECKS: [OrderCheck; 7] = [
     ("tpm", "regular", "point-l2", Some(0.95), Some(1.05)),
     ("tpm", "regular", "gauss-l2", Some(1.9), Some(2.1)),
     ("tpm", "jittered", "point-l2", Some(0.9), Some(1.1)),

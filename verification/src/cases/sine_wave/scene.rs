@@ -52,7 +52,7 @@ impl Run<'_> {
         let scene = scene::<D>(self.parameters);
         let mut simulation = match build(&scene) {
             Ok(simulation) => simulation,
-            Err(error) => return Findings::not_built(error, missing_rows(self.instant)),
+            Err(error) => return Findings::not_built(&error, missing_rows(self.instant)),
         };
         let start = Instant::now();
         let outcome = self.step(simulation.as_mut());
@@ -107,7 +107,7 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
     let frame: [usize; D] = std::array::from_fn(|axis| (axis + D - parameters.axis) % D);
 
     let mut random = Pcg64::seed_from_u64(parameters.seed);
-    let mass = DENSITY * (0.5 * h).powi(D as i32);
+    let mass = DENSITY * power(0.5 * h, D);
     let counts: [usize; D] = std::array::from_fn(|i| 2 * cells[(i + parameters.axis) % D]);
     let mut points = Vec::with_capacity(counts.iter().product());
     for flat in 0..counts.iter().product() {
@@ -141,6 +141,10 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
         viscosity: None,
         points,
     }
+}
+
+fn power(base: f64, exponent: usize) -> f64 {
+    std::iter::repeat_n(base, exponent).product()
 }
 
 /// Uniform in [−1, 1), from the upper 53 bits.
@@ -181,7 +185,7 @@ pub(super) fn measure<const D: usize>(
     let h = parameters.spacing;
     let (pressure_time, velocity_time) =
         times(parameters.settings.stress_update, state.time, parameters.dt);
-    let area = (WIDTH / (parameters.width_cells as f64 * h)).powi(D as i32 - 1);
+    let area = power(WIDTH / (parameters.width_cells as f64 * h), D - 1);
     let mut norms = [L2::default(); 4];
     let mut add = |first: usize, x: f64, pressure: f64, velocity: [f64; D], volume: f64| {
         let exact = wave.pressure_at(x, pressure_time);
@@ -213,7 +217,7 @@ pub(super) fn measure<const D: usize>(
     for (center, [excess, momentum @ ..]) in &cells.samples {
         let pressure = SOUND_SPEED.powi(2) * excess;
         let velocity = std::array::from_fn(|axis| momentum[axis] / (DENSITY + excess));
-        add(1, center[axis], pressure, velocity, h.powi(D as i32));
+        add(1, center[axis], pressure, velocity, power(h, D));
     }
 
     let rows = ROWS.iter().zip(norms).map(|((quantity, norm), l2)| Row {
