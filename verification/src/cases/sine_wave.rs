@@ -107,15 +107,15 @@ impl Case for SineWave {
     }
 
     fn runs(&self, tier: Tier) -> Vec<RunSpec> {
-        let (levels, instants) = match tier {
-            Tier::Smoke => (3, &INSTANTS[..1]),
-            Tier::Paper | Tier::Full => (SPACINGS.len(), &INSTANTS[..]),
+        let instants = match tier {
+            Tier::Smoke => &INSTANTS[..1],
+            Tier::Paper | Tier::Full => &INSTANTS[..],
         };
         let mut runs = Vec::new();
         for variant in Variant::ALL {
             for layout in LAYOUTS {
                 for &instant in instants {
-                    for level in 0..levels {
+                    for level in 0..SPACINGS.len() {
                         runs.push(spec(variant, layout, instant, level, 2, 0));
                     }
                 }

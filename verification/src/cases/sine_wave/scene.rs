@@ -158,7 +158,8 @@ fn displacement(random: &mut Pcg64) -> f64 {
 /// just got (or the other way round). In such a symplectic scheme the two stand half a step apart:
 /// after n steps with the stress update last, the density is that of n Δt and the velocity that of
 /// (n − ½) Δt. The start without stagger fits: pressure and hence acceleration are zero at t = 0, so
-/// v(−Δt/2) = v(0) up to (ω Δt)²/8 relative, 3·10⁻⁷ at most.
+/// v(−Δt/2) = v(0) up to (ω Δt)²/8 relative, 3·10⁻⁷ at most. Positions are those of n Δt, so that
+/// the material point is found at that time and only its velocity is taken earlier.
 pub(super) fn times(stress_update: StressUpdate, time: f64, dt: f64) -> (f64, f64) {
     match stress_update {
         StressUpdate::First => (time - 0.5 * dt, time),
@@ -188,9 +189,10 @@ pub(super) fn measure<const D: usize>(
     let area = power(WIDTH / (parameters.width_cells as f64 * h), D - 1);
     let mut norms = [L2::default(); 4];
     let mut add = |first: usize, x: f64, pressure: f64, velocity: [f64; D], volume: f64| {
-        let exact = wave.pressure_at(x, pressure_time);
+        let material = wave.material(x, state.time);
+        let exact = wave.pressure(material, pressure_time);
         norms[first].add((pressure - exact).powi(2), exact * exact, volume * area);
-        let exact = wave.velocity_at(x, velocity_time);
+        let exact = wave.velocity(material, velocity_time);
         let mut error = velocity;
         error[axis] -= exact;
         let error = error.iter().map(|e| e * e).sum();
