@@ -47,6 +47,16 @@ pub struct Ruler {
     range: (f64, f64),
     pixels: (i32, i32),
     ticks: Vec<f64>,
+    style: TickStyle,
+}
+
+/// How labels are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum TickStyle {
+    /// As decimals where that is short.
+    Decimal,
+    /// As powers of ten.
+    Power,
 }
 
 impl Ruler {
@@ -81,7 +91,11 @@ impl Ruler {
         } else {
             axis.ticks.clone()
         };
-        Self { scale: axis.scale, range, pixels, ticks }
+        let style = match axis.scale {
+            Scale::Log if axis.ticks.is_empty() => TickStyle::Power,
+            _ => TickStyle::Decimal,
+        };
+        Self { scale: axis.scale, range, pixels, ticks, style }
     }
 
     /// Pixel of a value; `None` where it has no place on this axis.
@@ -115,7 +129,7 @@ impl Ruler {
         self.ticks
             .iter()
             .filter(within)
-            .filter_map(|&value| Some((self.pixel(value)?, label(self.scale, value))))
+            .filter_map(|&value| Some((self.pixel(value)?, label(self.style, value))))
             .collect()
     }
 
@@ -167,11 +181,12 @@ fn automatic_ticks(scale: Scale, range: (f64, f64)) -> Vec<f64> {
     }
 }
 
-/// Powers of ten with raised digits, other values as short as they are exact to six digits.
-fn label(scale: Scale, value: f64) -> String {
+/// Powers of ten with raised digits if so wanted, other values as short as they are exact to six
+/// digits.
+fn label(style: TickStyle, value: f64) -> String {
     let exponent = value.abs().log10();
     let is_power = (exponent - exponent.round()).abs() < 1e-9;
-    if scale == Scale::Log && is_power && !(-2.5..3.5).contains(&exponent) {
+    if style == TickStyle::Power && is_power && !(-0.5..1.5).contains(&exponent) {
         return format!("10{}", raised(exponent.round() as i32));
     }
     if value != 0.0 && !(-3.5..6.0).contains(&exponent) {
@@ -206,11 +221,11 @@ mod tests {
 
     #[test]
     fn labels_are_short_and_exact() {
-        assert_eq!(label(Scale::Log, 1e-4), "10⁻⁴");
-        assert_eq!(label(Scale::Log, 0.004), "0.004");
-        assert_eq!(label(Scale::Linear, 0.1 + 0.2), "0.3");
-        assert_eq!(label(Scale::Log, 2e-5), "2·10⁻⁵");
-        assert_eq!(label(Scale::Linear, 0.0), "0");
+        assert_eq!(label(TickStyle::Power, 1e-4), "10⁻⁴");
+        assert_eq!(label(TickStyle::Decimal, 0.004), "0.004");
+        assert_eq!(label(TickStyle::Decimal, 0.1 + 0.2), "0.3");
+        assert_eq!(label(TickStyle::Power, 2e-5), "2·10⁻⁵");
+        assert_eq!(label(TickStyle::Decimal, 0.0), "0");
     }
 
     #[test]

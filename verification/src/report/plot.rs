@@ -29,7 +29,7 @@ pub struct Panel {
     pub y: Axis,
     /// Heading of the legend.
     pub legend: String,
-    /// Curves, drawn in this order.
+    /// Curves in the order of the legend.
     pub curves: Vec<Curve>,
     /// Slopes to show as triangles; only on two logarithmic axes.
     pub slopes: Vec<f64>,
@@ -70,7 +70,7 @@ pub fn svg(figure: &Figure) -> Result<String> {
         style::text(&canvas, &figure.title, (size.0 / 2, TITLE / 2), LARGE, Anchor::Middle)?;
         for (index, panel) in figure.panels.iter().enumerate() {
             let origin = corner(index % columns, index / columns);
-            draw_panel(&canvas, panel, origin)?;
+            draw_panel(&canvas, panel, &shared_ordinates(figure, columns, index), origin)?;
         }
         canvas.present().map_err(style::drawing_error)?;
     }
@@ -91,35 +91,43 @@ struct Frame {
     bottom: i32,
 }
 
-fn draw_panel(canvas: &Canvas<'_>, panel: &Panel, (x0, y0): (i32, i32)) -> Result<()> {
+/// Ordinates of all panels in the same row whose vertical axis is the same: such panels share their
+/// range, so that they can be compared.
+fn shared_ordinates(figure: &Figure, columns: usize, index: usize) -> Vec<f64> {
+    let row = figure.panels.chunks(columns).nth(index / columns).unwrap_or_default();
+    row.iter()
+        .filter(|panel| panel.y == figure.panels[index].y)
+        .flat_map(|panel| panel.curves.iter().flat_map(|curve| &curve.points))
+        .map(|point| point.1)
+        .collect()
+}
+
+fn draw_panel(
+    canvas: &Canvas<'_>,
+    panel: &Panel,
+    ordinates: &[f64],
+    (x0, y0): (i32, i32),
+) -> Result<()> {
     let frame = Frame {
         left: x0 + 120,
         right: x0 + PANEL.0 - LEGEND - 10,
         top: y0 + 45,
         bottom: y0 + PANEL.1 - 85,
     };
-    let values = || panel.curves.iter().flat_map(|curve| curve.points.iter());
+    let abscissae = panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
     let shows_slopes =
         !panel.slopes.is_empty() && panel.x.scale == Scale::Log && panel.y.scale == Scale::Log;
     // Room for the slope triangles below all curves.
     let below = if shows_slopes { 0.3 } else { 0.06 };
-    let x = Ruler::fit(
-        &panel.x,
-        values().map(|point| point.0),
-        (0.06, 0.06),
-        (frame.left, frame.right),
-    );
-    let y = Ruler::fit(
-        &panel.y,
-        values().map(|point| point.1),
-        (below, 0.08),
-        (frame.bottom, frame.top),
-    );
+    let x = Ruler::fit(&panel.x, abscissae, (0.06, 0.06), (frame.left, frame.right));
+    let y =
+        Ruler::fit(&panel.y, ordinates.iter().copied(), (below, 0.08), (frame.bottom, frame.top));
     draw_axes(canvas, panel, &frame, &x, &y)?;
     if shows_slopes {
         draw_slopes(canvas, &panel.slopes, &x, &y)?;
     }
-    for curve in &panel.curves {
+    // The first of the legend lies on top.
+    for curve in panel.curves.iter().rev() {
         draw_curve(canvas, curve, &x, &y)?;
     }
     draw_legend(canvas, panel, &frame)
