@@ -13,6 +13,8 @@
 
 mod results;
 mod scene;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 

@@ -88,7 +88,7 @@ impl Run<'_> {
     }
 }
 
-fn wave(parameters: &Parameters) -> StandingWave {
+pub(super) fn wave(parameters: &Parameters) -> StandingWave {
     StandingWave {
         amplitude: parameters.amplitude,
         length: LENGTH,
@@ -154,15 +154,16 @@ fn displacement(random: &mut Pcg64) -> f64 {
 
 /// Times at which pressure and velocity are to be compared.
 ///
-/// A step advances the velocity with the stress it finds, and the density with the velocity it has
-/// just got (or the other way round). In such a symplectic scheme the two stand half a step apart:
-/// after n steps with the stress update last, the density is that of n Δt and the velocity that of
-/// (n − ½) Δt. The start without stagger fits: pressure and hence acceleration are zero at t = 0, so
-/// v(−Δt/2) = v(0) up to (ω Δt)²/8 relative, 3·10⁻⁷ at most. Positions are those of n Δt, so that
-/// the material point is found at that time and only its velocity is taken earlier.
+/// A step advances the velocity with the stress, and the density with the velocity, each with the
+/// newest value of the other. In such a symplectic scheme the two stand half a step apart. With
+/// the stress update last, the density after n steps is that of n Δt and the velocity that of
+/// (n − ½) Δt; with the stress update first, the velocity is that of (n + ½) Δt. The start without
+/// stagger fits both: pressure and hence acceleration are zero at t = 0, so that
+/// v(±Δt/2) = v(0) up to (ω Δt)²/8 relative, 3·10⁻⁷ at most. Positions are those of n Δt, so that
+/// the material point is found at that time and only its velocity is taken earlier or later.
 pub(super) fn times(stress_update: StressUpdate, time: f64, dt: f64) -> (f64, f64) {
     match stress_update {
-        StressUpdate::First => (time - 0.5 * dt, time),
+        StressUpdate::First => (time, time + 0.5 * dt),
         StressUpdate::Last | StressUpdate::ModifiedLast => (time, time - 0.5 * dt),
     }
 }
