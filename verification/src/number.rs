@@ -38,9 +38,16 @@ pub fn order(value: f64) -> String {
     }
 }
 
-/// An optional bound; empty if absent.
+/// An optional bound as short as it is exact; empty if absent.
 pub fn bound(value: Option<f64>) -> String {
-    value.map(significant).unwrap_or_default()
+    let shortest = |value: f64| {
+        if (1e-3..1e6).contains(&value.abs()) || value == 0.0 {
+            format!("{value}")
+        } else {
+            format!("{value:e}")
+        }
+    };
+    value.map(shortest).unwrap_or_default()
 }
 
 /// The smallest power of ten that is not below `value`: round-off is reported by its decade, so
