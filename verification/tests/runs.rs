@@ -139,3 +139,16 @@ fn headers_that_others_rely_on() {
         assert_eq!(text.lines().next(), Some(header));
     }
 }
+
+#[test]
+fn the_bare_command_runs_reports_and_checks_the_smoke_tier() {
+    let out = tempfile::tempdir().expect("a folder");
+    let folder = out.path().to_str().expect("a name in Unicode");
+    let output = common::verify(&["--tier", "smoke", "--out", folder, "--quiet"]);
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    assert!(stdout(&output).contains(" 0 failed"), "{}", stdout(&output));
+    let page = std::fs::read_to_string(out.path().join("accuracy/README.md")).expect("a page");
+    for part in ["fig09_sine_wave_pressure.svg", "sine_wave_convergence.csv", "| pass |"] {
+        assert!(page.contains(part), "{part}");
+    }
+}

@@ -61,11 +61,26 @@ impl StandingWave {
 
     /// Velocity ∂u/∂t of the material point X at time t, m/s.
     pub fn velocity(&self, material: f64, time: f64) -> f64 {
+        let k = self.wave_number();
+        let (first, second) = self.rates(time);
+        first * (k * material).sin() + second * (2.0 * k * material).sin()
+    }
+
+    /// Velocity gradient ∂v/∂x = (∂v/∂X) / (1 + ∂u/∂X) of the material point X at time t, 1/s.
+    pub fn velocity_gradient(&self, material: f64, time: f64) -> f64 {
+        let k = self.wave_number();
+        let (first, second) = self.rates(time);
+        let slope =
+            first * k * (k * material).cos() + second * 2.0 * k * (2.0 * k * material).cos();
+        slope / (1.0 + self.strain(material, time))
+    }
+
+    /// Velocity amplitudes of the first and second harmonic, m/s.
+    fn rates(&self, time: f64) -> (f64, f64) {
         let (k, a, w) = (self.wave_number(), self.amplitude, self.angular_frequency());
         let phase = 2.0 * w * time;
         let rate = w * (phase.sin() - phase * phase.cos());
-        a * w * (w * time).cos() * (k * material).sin()
-            + a * a * k / 8.0 * rate * (2.0 * k * material).sin()
+        (a * w * (w * time).cos(), a * a * k / 8.0 * rate)
     }
 
     /// 1 − cos(2ωt) − ωt sin(2ωt).
@@ -148,6 +163,9 @@ mod tests {
             let slope = (wave.displacement(x + dx, t) - wave.displacement(x - dx, t)) / (2.0 * dx);
             assert!((rate - wave.velocity(x, t)).abs() < 1e-7, "x = {x}, t = {t}");
             assert!((slope - wave.strain(x, t)).abs() < 1e-8, "x = {x}, t = {t}");
+            let slope = (wave.velocity(x + dx, t) - wave.velocity(x - dx, t)) / (2.0 * dx);
+            let gradient = slope / (1.0 + wave.strain(x, t));
+            assert!((gradient - wave.velocity_gradient(x, t)).abs() < 1e-7, "x = {x}, t = {t}");
         }
     }
 

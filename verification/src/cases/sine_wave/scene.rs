@@ -122,12 +122,15 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
             *place += displacement(&mut random) * parameters.jitter * 0.5 * h;
         }
         let mut velocity = [0.0; D];
-        velocity[parameters.axis] = wave.velocity_at(along[0], 0.0);
+        velocity[parameters.axis] = wave.velocity(along[0], 0.0);
+        let mut velocity_gradient = [[0.0; D]; D];
+        velocity_gradient[parameters.axis][parameters.axis] = wave.velocity_gradient(along[0], 0.0);
         points.push(PointSpec {
             position: frame.map(|i| along[i]),
             velocity,
             density: DENSITY,
             mass,
+            velocity_gradient,
         });
     }
     Scene {
