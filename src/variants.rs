@@ -128,6 +128,8 @@ pub enum Variant {
     Tpm,
     /// TPM with the velocity-pressure formulation, divergence interpolated from cell centres.
     TpmVp,
+    /// TPM with the velocity-pressure formulation, divergence by quadratic B-splines about the cells.
+    TpmVpQuadratic,
     /// Classic MPM: linear hat, FLIP.
     Mpm,
     /// uGIMP, FLIP.
@@ -144,7 +146,7 @@ pub enum Variant {
 
 impl Variant {
     /// Every variant, in the order of tables and legends.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Tpm,
         Self::TpmVp,
         Self::Mpm,
@@ -153,6 +155,7 @@ impl Variant {
         Self::Bspline3,
         Self::Apic,
         Self::MpmVp,
+        Self::TpmVpQuadratic,
     ];
 
     /// Identifier in command lines, tables and file names.
@@ -160,6 +163,7 @@ impl Variant {
         match self {
             Self::Tpm => "tpm",
             Self::TpmVp => "tpm-vp",
+            Self::TpmVpQuadratic => "tpm-vp-quadratic",
             Self::Mpm => "mpm",
             Self::Gimp => "gimp",
             Self::Bspline2 => "bspline2",
@@ -174,6 +178,7 @@ impl Variant {
         match self {
             Self::Tpm => "transport point method as printed [Song2020]",
             Self::TpmVp => "TPM, velocity-pressure, divergence interpolated from cell centres",
+            Self::TpmVpQuadratic => "TPM, velocity-pressure, divergence by quadratic B-splines",
             Self::Mpm => "material point method, linear hat, FLIP [Sulsky1994]",
             Self::Gimp => "uniform generalized interpolation MPM, FLIP [Bardenhagen2004]",
             Self::Bspline2 => "quadratic B-spline MPM, FLIP [Steffen2008]",
@@ -214,6 +219,9 @@ macro_rules! build {
                 match self {
                     Self::Tpm => recipe.transport_points(Formulation::Standard),
                     Self::TpmVp => recipe.transport_points(vp(settings.point_divergence)),
+                    Self::TpmVpQuadratic => {
+                        recipe.transport_points(vp(PointDivergence::Quadratic))
+                    }
                     Self::Mpm => recipe.material_points(Linear, Formulation::Standard),
                     Self::Gimp => recipe.material_points(
                         Gimp { length: settings.gimp_length },

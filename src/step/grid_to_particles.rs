@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use super::gather::{Gathered, Site, Want};
 use super::{AffineOf, CELL_GRAIN, Physics, StressOf};
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
@@ -13,8 +14,8 @@ use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
 use crate::scene::Boundary;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, SimdBase as _, load, splat, vectorized};
-use crate::stencil::{Rows, for_each_outer_row, moments_at, node_positions, rows_at};
+use crate::simd::{Simd, vectorized};
+use crate::stencil::{Rows, moments_at, node_positions, rows_at};
 use crate::stress::DeviatoricStress;
 use crate::transfer::Transfer;
 
@@ -163,8 +164,13 @@ where
                 if affine {
                     moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
                 }
-                let at = Place::<T, D, M::Shape> { rows: &rows, starts, shape: PhantomData };
-                let found = at.gather::<S, M::Transfer>(simd, state, &moments);
+                let site = Site::<T, D, M::Shape> {
+                    rows: &rows,
+                    moments: &moments,
+                    starts,
+                    shape: PhantomData,
+                };
+                let found = self.gather(simd, &site);
                 let motion = narrow(found.velocity);
                 if pass.velocity {
                     let old = points.velocity[p];
@@ -177,7 +183,7 @@ where
                     }
                 }
                 if pass.state {
-                    self.strain(simd, p, points, &at, (&found, &cell_divergence, cell));
+                    self.strain(simd, p, points, &site, (&found, &cell_divergence, cell));
                 }
                 if pass.motion {
                     let position = &mut points.position[p];
@@ -196,6 +202,17 @@ where
         outcome
     }
 
+    /// What the transfer needs from the nodes.
+    #[inline(always)]
+    fn gather<S: Simd>(&self, simd: S, site: &Site<'_, T, D, M::Shape>) -> Gathered<T, D> {
+        let (velocity, increment) = (self.state.velocity, self.state.increment);
+        let want = Want {
+            moments: <M::Transfer as Transfer<T, D>>::AFFINE,
+            increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT,
+        };
+        site.gather(simd, want, velocity, increment)
+    }
+
     /// Updates density and stress of point `p` of the view.
     #[inline(always)]
     fn strain<S: Simd>(
@@ -203,175 +220,25 @@ where
         simd: S,
         p: usize,
         points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
-        at: &Place<'_, T, D, M::Shape>,
+        site: &Site<'_, T, D, M::Shape>,
         (found, cell_divergence, cell): (&Gathered<T, D>, &CellDivergence<T>, [usize; D]),
     ) {
         let source = &self.state.source;
         let divergence = match cell_divergence {
             CellDivergence::AtPoint if source.is_end_velocity => found.divergence,
-            CellDivergence::AtPoint => at.divergence(simd, source.velocity),
+            CellDivergence::AtPoint => {
+                let want = Want { moments: false, increment: false };
+                site.gather(simd, want, source.velocity, &[]).divergence
+            }
             CellDivergence::Around(..) => {
                 cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
             }
         };
         points.density[p] /= T::one() + self.dt * divergence;
         if K::PRESENT {
-            let gradient = at.velocity_gradient(simd, source.velocity);
+            let gradient = site.velocity_gradient(simd, source.velocity);
             points.stress[p] = self.state.physics.stress.update(points.density[p], &gradient);
         }
-    }
-}
-
-/// What a point gathers from its nodes; `moment[a]` is Σ N v (x − x_p)_a.
-struct Gathered<T, const D: usize> {
-    velocity: [T; 4],
-    increment: [T; 4],
-    moment: [[T; 4]; D],
-    divergence: T,
-}
-
-/// The functions of a point and the nodes of its cell.
-struct Place<'a, T, const D: usize, H> {
-    rows: &'a Rows<T, D>,
-    starts: &'a [u32],
-    shape: PhantomData<H>,
-}
-
-impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Place<'_, T, D, H> {
-    /// Weights of one stencil row, (N, N, N, N′): node rows repeat the last component in their last
-    /// entry, which so becomes its derivative along the last axis.
-    #[inline(always)]
-    fn weights<S: Simd>(&self, simd: S) -> [T::Four<S>; MAX_WIDTH] {
-        let last = &self.rows[D - 1];
-        let mut weights = [splat(simd, T::zero()); MAX_WIDTH];
-        for k in 0..H::WIDTH {
-            let (n, slope) = (last.weight[k], last.gradient[k]);
-            weights[k] = load(simd, &[n, n, n, slope]);
-        }
-        weights
-    }
-
-    /// Sums of v⁺ and, as the transfer needs them, of Δt a and of first moments.
-    #[inline(always)]
-    fn gather<S: Simd, X: Transfer<T, D>>(
-        &self,
-        simd: S,
-        state: &GridState<'_, T, D, impl Method<T, D>, impl DeviatoricStress<T, D>>,
-        moments: &[[T; MAX_WIDTH]; D],
-    ) -> Gathered<T, D> {
-        let (rows, inner) = (self.rows, D - 1);
-        let weights = self.weights(simd);
-        let zero = splat(simd, T::zero());
-        let mut moment_last = [zero; MAX_WIDTH];
-        if X::AFFINE {
-            for k in 0..H::WIDTH {
-                moment_last[k] = splat(simd, moments[inner][k]);
-            }
-        }
-        let (mut velocity, mut increment, mut moment) = (zero, zero, [zero; D]);
-        let mut divergence = T::zero();
-        for_each_outer_row::<T, D, H>(
-            rows,
-            #[inline(always)]
-            |outer| {
-                let start = self.starts[outer.row] as usize + rows[inner].first;
-                let nodes = &state.velocity[start..start + H::WIDTH];
-                let weight = splat(simd, outer.weight);
-                let mut line = load(simd, &nodes[0]) * weights[0];
-                for k in 1..H::WIDTH {
-                    line = line + load(simd, &nodes[k]) * weights[k];
-                }
-                velocity = velocity + line * weight;
-                for axis in 0..inner {
-                    divergence +=
-                        outer.replace(rows, axis, &rows[axis].gradient) * line.as_array()[axis];
-                }
-                if X::AFFINE {
-                    for axis in 0..inner {
-                        let outer_moment = outer.replace(rows, axis, &moments[axis]);
-                        moment[axis] = moment[axis] + line * splat(simd, outer_moment);
-                    }
-                    let mut along = load(simd, &nodes[0]) * moment_last[0];
-                    for k in 1..H::WIDTH {
-                        along = along + load(simd, &nodes[k]) * moment_last[k];
-                    }
-                    moment[inner] = moment[inner] + along * weight;
-                }
-                if X::USES_INCREMENT {
-                    let nodes = &state.increment[start..start + H::WIDTH];
-                    let mut change = load(simd, &nodes[0]) * weights[0];
-                    for k in 1..H::WIDTH {
-                        change = change + load(simd, &nodes[k]) * weights[k];
-                    }
-                    increment = increment + change * weight;
-                }
-            },
-        );
-        let velocity = velocity.to_array();
-        let mut columns = [[T::zero(); 4]; D];
-        if X::AFFINE {
-            for axis in 0..D {
-                columns[axis] = moment[axis].to_array();
-            }
-        }
-        Gathered {
-            velocity,
-            increment: increment.to_array(),
-            moment: columns,
-            divergence: divergence + velocity[3],
-        }
-    }
-
-    /// Σ v_I · ∇N_I, 1/s.
-    #[inline(always)]
-    fn divergence<S: Simd>(&self, simd: S, nodes: &[[T; 4]]) -> T {
-        let weights = self.weights(simd);
-        let mut sum = T::zero();
-        for_each_outer_row::<T, D, H>(
-            self.rows,
-            #[inline(always)]
-            |outer| {
-                let start = self.starts[outer.row] as usize + self.rows[D - 1].first;
-                let mut line = splat(simd, T::zero());
-                for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
-                    line = line + load(simd, node) * weights[k];
-                }
-                let line = line.to_array();
-                sum += outer.weight * line[3];
-                for axis in 0..D - 1 {
-                    sum += outer.replace(self.rows, axis, &self.rows[axis].gradient) * line[axis];
-                }
-            },
-        );
-        sum
-    }
-
-    /// `[i][j] = ∂v_i/∂x_j`, 1/s.
-    #[inline(always)]
-    fn velocity_gradient<S: Simd>(&self, simd: S, nodes: &[[T; 4]]) -> [[T; D]; D] {
-        let (rows, inner) = (self.rows, D - 1);
-        let zero = splat(simd, T::zero());
-        let mut columns = [zero; D];
-        for_each_outer_row::<T, D, H>(
-            rows,
-            #[inline(always)]
-            |outer| {
-                let start = self.starts[outer.row] as usize + rows[inner].first;
-                let (mut value, mut slope) = (zero, zero);
-                for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
-                    let node = load(simd, node);
-                    value = value + node * splat(simd, rows[inner].weight[k]);
-                    slope = slope + node * splat(simd, rows[inner].gradient[k]);
-                }
-                for axis in 0..inner {
-                    let gradient = outer.replace(rows, axis, &rows[axis].gradient);
-                    columns[axis] = columns[axis] + value * splat(simd, gradient);
-                }
-                columns[inner] = columns[inner] + slope * splat(simd, outer.weight);
-            },
-        );
-        let columns = columns.map(|column| column.to_array());
-        std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
     }
 }
 
