@@ -44,3 +44,8 @@ pub use scene::Scene;
 pub use simulation::{Observation, Simulation};
 pub use solver::Solver;
 pub use variants::{Settings, Variant};
+
+/// Compiles the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
