@@ -219,9 +219,7 @@ macro_rules! build {
                 match self {
                     Self::Tpm => recipe.transport_points(Formulation::Standard),
                     Self::TpmVp => recipe.transport_points(vp(settings.point_divergence)),
-                    Self::TpmVpQuadratic => {
-                        recipe.transport_points(vp(PointDivergence::Quadratic))
-                    }
+                    Self::TpmVpQuadratic => recipe.transport_points(vp(PointDivergence::Quadratic)),
                     Self::Mpm => recipe.material_points(Linear, Formulation::Standard),
                     Self::Gimp => recipe.material_points(
                         Gimp { length: settings.gimp_length },
