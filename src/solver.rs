@@ -261,7 +261,7 @@ where
     fn describe(&self, point: usize, failure: Failure) -> StepError {
         let p = &self.particles;
         let (id, time) = (p.id[point], self.time);
-        let finite = |v: &[T; D]| v.iter().all(|c| c.is_finite());
+        let finite = |v: &[T; D]| v.iter().all(nalgebra::ComplexField::is_finite);
         match failure {
             Failure::NotFinite => {
                 let field = if !finite(&p.velocity[point]) {

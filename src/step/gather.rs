@@ -125,14 +125,14 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Site<'_, T, D, H> {
         k: usize,
     ) {
         let part = self.scaled(simd, want, part, axis, k);
-        total.velocity = total.velocity + part.velocity;
+        total.velocity += part.velocity;
         total.slope += part.slope;
         if want.increment {
-            total.increment = total.increment + part.increment;
+            total.increment += part.increment;
         }
         if want.moments {
             for later in axis..D {
-                total.moment[later] = total.moment[later] + part.moment[later];
+                total.moment[later] += part.moment[later];
             }
         }
     }
@@ -151,14 +151,14 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Site<'_, T, D, H> {
                 let (mut value, mut slope) = (zero, zero);
                 for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
                     let node = load(simd, node);
-                    value = value + node * splat(simd, rows[inner].weight[k]);
-                    slope = slope + node * splat(simd, rows[inner].gradient[k]);
+                    value += node * splat(simd, rows[inner].weight[k]);
+                    slope += node * splat(simd, rows[inner].gradient[k]);
                 }
                 for axis in 0..inner {
                     let gradient = outer.replace(rows, axis, &rows[axis].gradient);
-                    columns[axis] = columns[axis] + value * splat(simd, gradient);
+                    columns[axis] += value * splat(simd, gradient);
                 }
-                columns[inner] = columns[inner] + slope * splat(simd, outer.weight);
+                columns[inner] += slope * splat(simd, outer.weight);
             },
         );
         let mut gradient = [[T::zero(); D]; D];
@@ -189,12 +189,12 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Lines<'_, T, D, H> {
         let mut moment = [zero; D];
         let mut velocity = load(simd, &nodes[0]) * self.weight(simd, 0);
         for k in 1..H::WIDTH {
-            velocity = velocity + load(simd, &nodes[k]) * self.weight(simd, k);
+            velocity += load(simd, &nodes[k]) * self.weight(simd, k);
         }
         if want.moments {
             moment[D - 1] = load(simd, &nodes[0]) * self.moment(simd, 0);
             for k in 1..H::WIDTH {
-                moment[D - 1] = moment[D - 1] + load(simd, &nodes[k]) * self.moment(simd, k);
+                moment[D - 1] += load(simd, &nodes[k]) * self.moment(simd, k);
             }
         }
         let mut increment = zero;
@@ -202,7 +202,7 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Lines<'_, T, D, H> {
             let nodes = &self.increment[start..start + H::WIDTH];
             increment = load(simd, &nodes[0]) * splat(simd, last.weight[0]);
             for k in 1..H::WIDTH {
-                increment = increment + load(simd, &nodes[k]) * splat(simd, last.weight[k]);
+                increment += load(simd, &nodes[k]) * splat(simd, last.weight[k]);
             }
         }
         Sums { velocity, increment, moment, slope: T::zero() }

@@ -44,7 +44,7 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
                 along[k] = spread.affine[inner] * splat(simd, self.moments[inner][k]);
             }
             if flux {
-                along[k] = along[k] + spread.flux[inner] * splat(simd, last.gradient[k]);
+                along[k] += spread.flux[inner] * splat(simd, last.gradient[k]);
             }
         }
         let mut line = Line { site: self, begin, along, sums };
@@ -88,11 +88,11 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
         taken.value = spread.value * weight;
         if affine {
             let moment = splat(simd, self.moments[axis][k]);
-            taken.value = taken.value + spread.affine[axis] * moment;
+            taken.value += spread.affine[axis] * moment;
         }
         if flux {
             let gradient = splat(simd, self.rows[axis].gradient[k]);
-            taken.value = taken.value + spread.flux[axis] * gradient;
+            taken.value += spread.flux[axis] * gradient;
         }
         for later in axis + 1..D - 1 {
             if affine {
@@ -134,7 +134,7 @@ impl<T: Scalar, F, const D: usize> Line<'_, T, F, D> {
         for k in 0..H::WIDTH {
             let mut part = value * splat(simd, last.weight[k]);
             if with_along {
-                part = part + self.along[k] * outer;
+                part += self.along[k] * outer;
             }
             add_to(simd, &mut nodes[k], part);
         }
