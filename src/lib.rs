@@ -29,11 +29,13 @@ pub mod formulation;
 pub mod stress;
 
 pub mod method;
+pub mod settings;
 pub mod step;
 
 pub mod conservation;
 pub mod simulation;
 pub mod solver;
+mod stable_step;
 pub mod telemetry;
 pub mod time_step;
 pub mod variants;

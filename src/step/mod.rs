@@ -1,5 +1,6 @@
 //! The phases of a time step: points → grid → points.
 
+mod cell_divergence;
 mod centers;
 mod gather;
 mod grid_to_particles;

@@ -125,7 +125,7 @@ impl<T: Scalar, F, const D: usize> Line<'_, T, F, D> {
         with_along: bool,
     ) where
         T: Scalar<Four<S> = F>,
-        F: Copy + std::ops::Add<Output = F> + std::ops::Mul<Output = F>,
+        F: Copy + std::ops::AddAssign + std::ops::Mul<Output = F>,
     {
         let last = &self.site.rows[D - 1];
         let start = self.site.starts[row] as usize + last.first - self.begin;
