@@ -1,17 +1,21 @@
 //! Nodes and cells → points: velocity, density, stress and position.
 
+use std::marker::PhantomData;
+
+use super::cell_divergence::CellDivergence;
+use super::gather::{Gathered, Site, Want};
 use super::{AffineOf, CELL_GRAIN, Physics, StressOf};
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
-use crate::formulation::{Formulation, PointDivergence};
 use crate::grid::Grid;
-use crate::math::{add_row, narrow};
+use crate::math::narrow;
 use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
 use crate::scene::Boundary;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::stencil::{Rows, for_each_outer_row, node_positions, rows_at};
+use crate::simd::{Simd, vectorized};
+use crate::stencil::{Rows, moments_at, node_positions, rows_at};
 use crate::stress::DeviatoricStress;
 use crate::transfer::Transfer;
 
@@ -36,6 +40,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Records a failure of a point unless there was one before.
+    #[inline(always)]
+    fn note(&mut self, point: usize, failure: Option<Failure>) {
+        if self.failure.is_none() {
+            self.failure = failure.map(|why| (point, why));
+        }
+    }
+
     fn then(self, later: Self) -> Self {
         Self {
             failure: self.failure.or(later.failure),
@@ -49,6 +61,8 @@ impl Outcome {
 pub struct StateSource<'a, T> {
     /// Node velocities whose gradient strains the points.
     pub velocity: &'a [[T; 4]],
+    /// Whether these are v⁺ themselves, which are gathered anyway.
+    pub is_end_velocity: bool,
     /// Divergence of each active cell, 1/s; empty in the standard formulation.
     pub divergence: &'a [T],
 }
@@ -73,23 +87,21 @@ pub struct GridState<'a, T, const D: usize, M, K> {
     pub source: StateSource<'a, T>,
 }
 
-/// One gather over the points. What it does is fixed at compile time:
-///
-/// - `VELOCITY`: v_p ← α (v_p + Σ N Δt a) + (1 − α) Σ N v⁺, and the affine field;
-/// - `STATE`: ρ_p ← ρ_p / (1 + Δt D_p), Eq. (31) of \[Song2020\], and the stress;
-/// - `MOVE`: x_p ← x_p + Δt Σ N v⁺, and the point's cell.
-///
-/// A scheme that updates the stress last does all three in one pass.
-pub fn grid_to_particles<
-    T,
-    const D: usize,
-    M,
-    K,
-    const VELOCITY: bool,
-    const STATE: bool,
-    const MOVE: bool,
->(
+/// What a pass over the points does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pass {
+    /// v_p ← α (v_p + Σ N Δt a) + (1 − α) Σ N v⁺, and the affine field.
+    pub velocity: bool,
+    /// ρ_p ← ρ_p / (1 + Δt D_p), Eq. (31) of \[Song2020\], and the stress.
+    pub state: bool,
+    /// x_p ← x_p + Δt Σ N v⁺, and the point's cell.
+    pub motion: bool,
+}
+
+/// One gather over the points; a scheme that updates the stress last does all of it in one pass.
+pub fn grid_to_particles<T, const D: usize, M, K>(
     state: &GridState<'_, T, D, M, K>,
+    pass: Pass,
     dt: T,
     points: ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
 ) -> Outcome
@@ -98,215 +110,154 @@ where
     M: Method<T, D>,
     K: DeviatoricStress<T, D>,
 {
-    let by_cell = matches!(state.method.formulation(), Formulation::VelocityPressure(_));
     let first = &state.cells.first;
     let work = |slots: std::ops::Range<usize>, mut points: ParticlesMut<'_, T, D, _, _>| {
-        let mut outcome = Outcome::default();
         let begin = first[slots.start] as usize;
-        for slot in slots {
-            let pass = CellPass { state, dt, slot, begin };
-            let done = if STATE && (K::PRESENT || !by_cell) {
-                pass.run::<VELOCITY, STATE, MOVE, true>(&mut points)
-            } else {
-                pass.run::<VELOCITY, STATE, MOVE, false>(&mut points)
-            };
-            outcome = outcome.then(done);
-        }
-        outcome
+        let block = Block { state, pass, dt, begin };
+        vectorized!(simd => block.run(simd, slots, &mut points))
     };
     let cut = |slot: usize| first[slot] as usize;
     fold_blocks(state.cells.len(), CELL_GRAIN, points, &cut, &work, &Outcome::then)
 }
 
-/// The points of one cell in one pass; `begin` is the first point of the task's view.
-struct CellPass<'a, T, const D: usize, M, K> {
+/// A block of cells; `begin` is the first point of its view.
+struct Block<'a, T, const D: usize, M, K> {
     state: &'a GridState<'a, T, D, M, K>,
+    pass: Pass,
     dt: T,
-    slot: usize,
     begin: usize,
 }
 
-impl<T, const D: usize, M, K> CellPass<'_, T, D, M, K>
+impl<T, const D: usize, M, K> Block<'_, T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
     K: DeviatoricStress<T, D>,
 {
     #[inline(always)]
-    fn run<const VELOCITY: bool, const STATE: bool, const MOVE: bool, const GRADIENT: bool>(
+    fn run<S: Simd>(
         &self,
+        simd: S,
+        slots: std::ops::Range<usize>,
         points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
     ) -> Outcome {
-        let Self { state, dt, slot, begin } = *self;
-        let shape = state.method.shape();
-        let grid = state.grid;
-        let cell = grid.cell_coordinates(state.cells.index[slot]);
-        let n_rows = M::Shape::REACH.pow(D as u32 - 1);
-        let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
+        let Self { state, pass, dt, begin } = *self;
+        let (shape, grid) = (state.method.shape(), state.grid);
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
-        let node_at = if affine && VELOCITY {
-            node_positions(&shape, grid, cell)
-        } else {
-            [[T::zero(); 4]; D]
-        };
         let share = state.method.transfer().flip_share(dt);
-        let cell_divergence =
-            if STATE { CellDivergence::around(state, slot, cell) } else { CellDivergence::AtPoint };
+        let n_rows = M::Shape::REACH.pow(D as u32 - 1);
         let mut outcome = Outcome::default();
-        for point in state.cells.points(slot) {
-            let p = point - begin;
-            let rows = rows_at(&shape, grid, cell, points.position[p]);
-            let found =
-                self.gather::<VELOCITY, GRADIENT>(starts, &rows, &node_at, points.position[p]);
-            let motion = narrow(found.velocity);
-            if VELOCITY {
-                points.velocity[p] =
-                    blend::<T, D, M::Transfer>(share, points.velocity[p], found.increment, motion);
+        for slot in slots {
+            let cell = grid.cell_coordinates(state.cells.index[slot]);
+            let mut moments = [[T::zero(); MAX_WIDTH]; D];
+            let node_at = if affine { node_positions(&shape, grid, cell) } else { moments };
+            let cell_divergence = if pass.state {
+                CellDivergence::around(state, slot, cell)
+            } else {
+                CellDivergence::AtPoint
+            };
+            let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
+            for point in state.cells.points(slot) {
+                let p = point - begin;
+                let position = points.position[p];
+                let rows = rows_at(&shape, grid, cell, position);
                 if affine {
-                    points.affine[p] = found.affine::<M::Transfer>();
+                    moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
                 }
-            }
-            if STATE {
-                let gradient = found.velocity_gradient();
-                let divergence =
-                    cell_divergence.at(&gradient, &grid_xi(grid, cell, points.position[p]));
-                points.density[p] /= T::one() + dt * divergence;
-                if K::PRESENT {
-                    points.stress[p] = state.physics.stress.update(points.density[p], &gradient);
+                let site = Site::<T, D, M::Shape> {
+                    rows: &rows,
+                    moments: &moments,
+                    starts,
+                    shape: PhantomData,
+                };
+                let found = self.gather(simd, &site);
+                let motion = narrow(found.velocity);
+                if pass.velocity {
+                    let old = points.velocity[p];
+                    points.velocity[p] =
+                        blend::<T, D, M::Transfer>(share, old, found.increment, motion);
+                    if affine {
+                        let second =
+                            second_moments::<T, D, M::Shape>(&rows, &moments, &node_at, position);
+                        points.affine[p] = M::Transfer::affine_from(found.moment, second);
+                    }
                 }
-            }
-            if MOVE {
-                let position = &mut points.position[p];
-                for axis in 0..D {
-                    position[axis] += dt * motion[axis];
+                if pass.state {
+                    self.strain(simd, p, points, &site, (&found, &cell_divergence, cell));
                 }
-                if let Some(place) = settle(grid, &state.physics.boundaries, position) {
-                    points.cell[p] = place;
-                    outcome.n_removed += u64::from(place == ABSENT);
-                } else if outcome.failure.is_none() {
-                    outcome.failure = Some((point, Failure::LeftDomain));
+                if pass.motion {
+                    let position = &mut points.position[p];
+                    for axis in 0..D {
+                        position[axis] += dt * motion[axis];
+                    }
+                    let place = settle(grid, &state.physics.boundaries, position);
+                    points.cell[p] = place.unwrap_or(points.cell[p]);
+                    outcome.note(point, place.is_none().then_some(Failure::LeftDomain));
+                    outcome.n_removed += u64::from(place == Some(ABSENT));
                 }
-            }
-            if outcome.failure.is_none_or(|(first, _)| first == point) {
                 let sound = check(points.velocity[p], points.position[p], points.density[p]);
-                outcome.failure = sound.map(|why| (point, why)).or(outcome.failure);
+                outcome.note(point, sound);
             }
         }
         outcome
     }
 
-    /// Sums over the nodes of a point.
+    /// What the transfer needs from the nodes.
     #[inline(always)]
-    fn gather<const VELOCITY: bool, const GRADIENT: bool>(
+    fn gather<S: Simd>(&self, simd: S, site: &Site<'_, T, D, M::Shape>) -> Gathered<T, D> {
+        let (velocity, increment) = (self.state.velocity, self.state.increment);
+        let want = Want {
+            moments: <M::Transfer as Transfer<T, D>>::AFFINE,
+            increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT,
+        };
+        site.gather(simd, want, velocity, increment)
+    }
+
+    /// Updates density and stress of point `p` of the view.
+    #[inline(always)]
+    fn strain<S: Simd>(
         &self,
-        starts: &[u32],
-        rows: &Rows<T, D>,
-        node_at: &[[T; MAX_WIDTH]; D],
-        position: [T; D],
-    ) -> Gathered<T, D> {
-        let mut sums = Gathered::zero();
-        let last = rows[D - 1];
-        let affine = <M::Transfer as Transfer<T, D>>::AFFINE && VELOCITY;
-        let increments = <M::Transfer as Transfer<T, D>>::USES_INCREMENT && VELOCITY;
-        let mut offset = [[T::zero(); MAX_WIDTH]; D];
-        if affine {
-            for axis in 0..D {
-                for k in 0..M::Shape::WIDTH {
-                    offset[axis][k] = node_at[axis][rows[axis].first + k] - position[axis];
-                    let second = rows[axis].weight[k] * offset[axis][k] * offset[axis][k];
-                    sums.second_moment[axis] += second;
-                }
+        simd: S,
+        p: usize,
+        points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+        site: &Site<'_, T, D, M::Shape>,
+        (found, cell_divergence, cell): (&Gathered<T, D>, &CellDivergence<T>, [usize; D]),
+    ) {
+        let source = &self.state.source;
+        let divergence = match cell_divergence {
+            CellDivergence::AtPoint if source.is_end_velocity => found.divergence,
+            CellDivergence::AtPoint => {
+                let want = Want { moments: false, increment: false };
+                site.gather(simd, want, source.velocity, &[]).divergence
             }
-        }
-        let width = M::Shape::WIDTH;
-        for_each_outer_row::<T, D, M::Shape>(rows, |outer| {
-            let start = starts[outer.row] as usize + last.first;
-            let velocity = &self.state.velocity[start..start + width];
-            let mut line = RowSums::zero();
-            for k in 0..width {
-                add_row(&mut line.velocity, last.weight[k], velocity[k]);
-                if affine {
-                    add_row(&mut line.moment, last.weight[k] * offset[D - 1][k], velocity[k]);
-                }
+            CellDivergence::Around(..) => {
+                cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
             }
-            if increments {
-                let increment = &self.state.increment[start..start + width];
-                for k in 0..width {
-                    add_row(&mut line.increment, last.weight[k], increment[k]);
-                }
-                add_row(&mut sums.increment, outer.weight, line.increment);
-            }
-            add_row(&mut sums.velocity, outer.weight, line.velocity);
-            if affine {
-                for axis in 0..D - 1 {
-                    let weight = outer.weight * offset[axis][outer.index[axis]];
-                    add_row(&mut sums.moment[axis], weight, line.velocity);
-                }
-                add_row(&mut sums.moment[D - 1], outer.weight, line.moment);
-            }
-            if GRADIENT {
-                let source = &self.state.source.velocity[start..start + width];
-                let (mut value, mut slope) = ([T::zero(); 4], [T::zero(); 4]);
-                for k in 0..width {
-                    add_row(&mut value, last.weight[k], source[k]);
-                    add_row(&mut slope, last.gradient[k], source[k]);
-                }
-                for axis in 0..D - 1 {
-                    add_row(&mut sums.gradient[axis], outer.gradient[axis], value);
-                }
-                add_row(&mut sums.gradient[D - 1], outer.weight, slope);
-            }
-        });
-        sums
-    }
-}
-
-/// Sums along one stencil row.
-struct RowSums<T> {
-    velocity: [T; 4],
-    increment: [T; 4],
-    moment: [T; 4],
-}
-
-impl<T: Scalar> RowSums<T> {
-    #[inline(always)]
-    fn zero() -> Self {
-        let zero = [T::zero(); 4];
-        Self { velocity: zero, increment: zero, moment: zero }
-    }
-}
-
-/// What a point gathers from its nodes; `gradient[j]` is ∂v/∂x_j, `moment[j]` is Σ N v (x − x_p)_j.
-struct Gathered<T, const D: usize> {
-    velocity: [T; 4],
-    increment: [T; 4],
-    gradient: [[T; 4]; D],
-    moment: [[T; 4]; D],
-    second_moment: [T; D],
-}
-
-impl<T: Scalar, const D: usize> Gathered<T, D> {
-    #[inline(always)]
-    fn zero() -> Self {
-        let zero = [T::zero(); 4];
-        Self {
-            velocity: zero,
-            increment: zero,
-            gradient: [zero; D],
-            moment: [zero; D],
-            second_moment: [T::zero(); D],
+        };
+        points.density[p] /= T::one() + self.dt * divergence;
+        if K::PRESENT {
+            let gradient = site.velocity_gradient(simd, source.velocity);
+            points.stress[p] = self.state.physics.stress.update(points.density[p], &gradient);
         }
     }
+}
 
-    #[inline(always)]
-    fn affine<X: Transfer<T, D>>(&self) -> X::Affine {
-        X::affine_from(self.moment, self.second_moment)
+/// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
+#[inline(always)]
+fn second_moments<T: Scalar, const D: usize, H: ShapeFunction<T>>(
+    rows: &Rows<T, D>,
+    moments: &[[T; MAX_WIDTH]; D],
+    node_at: &[[T; MAX_WIDTH]; D],
+    position: [T; D],
+) -> [T; D] {
+    let mut second = [T::zero(); D];
+    for axis in 0..D {
+        for k in 0..H::WIDTH {
+            let offset = node_at[axis][rows[axis].first + k] - position[axis];
+            second[axis] += moments[axis][k] * offset;
+        }
     }
-
-    #[inline(always)]
-    fn velocity_gradient(&self) -> [[T; D]; D] {
-        std::array::from_fn(|i| std::array::from_fn(|j| self.gradient[j][i]))
-    }
+    second
 }
 
 #[inline(always)]
@@ -337,7 +288,7 @@ fn settle<T: Scalar, const D: usize>(
     }
     let mut removed = false;
     for axis in 0..D {
-        let n = T::lit(grid.n_cells[axis] as f64);
+        let n = T::from_index(grid.n_cells[axis]);
         let below = grid.in_cells(*position, axis) < T::zero();
         let above = grid.in_cells(*position, axis) > n;
         if grid.periodic[axis] && (below || above) {
@@ -380,67 +331,5 @@ fn grid_xi<T: Scalar, const D: usize>(
     cell: [usize; D],
     position: [T; D],
 ) -> [T; D] {
-    std::array::from_fn(|axis| grid.in_cells(position, axis) - T::lit(cell[axis] as f64))
-}
-
-/// Divergence at the points of one cell.
-enum CellDivergence<T> {
-    /// Trace of the velocity gradient at the point.
-    AtPoint,
-    /// Weighted mean of the 3^D cells around.
-    Around(PointDivergence, [T; 27]),
-}
-
-impl<T: Scalar> CellDivergence<T> {
-    #[inline(always)]
-    fn around<const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>>(
-        state: &GridState<'_, T, D, M, K>,
-        slot: usize,
-        cell: [usize; D],
-    ) -> Self {
-        let Formulation::VelocityPressure(kind) = state.method.formulation() else {
-            return Self::AtPoint;
-        };
-        let values = state.source.divergence;
-        let mut around = [values[slot]; 27];
-        if kind != PointDivergence::Constant {
-            for (code, value) in around.iter_mut().enumerate().take(3_usize.pow(D as u32)) {
-                let mut rest = code;
-                let shift = std::array::from_fn(|axis| {
-                    let step = (rest % 3) as i32 - 1;
-                    rest /= 3;
-                    let beyond = (step < 0 && cell[axis] == 0)
-                        || (step > 0 && cell[axis] + 1 == state.grid.n_cells[axis]);
-                    if beyond && !state.grid.periodic[axis] { 0 } else { step }
-                });
-                if let Some(neighbor) = state.grid.neighbor(cell, shift) {
-                    let slot = state.cells.slot_of[neighbor];
-                    if slot != ABSENT {
-                        *value = values[slot as usize];
-                    }
-                }
-            }
-        }
-        Self::Around(kind, around)
-    }
-
-    #[inline(always)]
-    fn at<const D: usize>(&self, gradient: &[[T; D]; D], xi: &[T; D]) -> T {
-        let (kind, around) = match self {
-            Self::AtPoint => return (0..D).fold(T::zero(), |sum, axis| sum + gradient[axis][axis]),
-            Self::Around(PointDivergence::Constant, around) => return around[0],
-            Self::Around(kind, around) => (*kind, around),
-        };
-        let weights = xi.map(|x| kind.weights(x));
-        let mut sum = T::zero();
-        for (code, value) in around.iter().enumerate().take(3_usize.pow(D as u32)) {
-            let (mut rest, mut weight) = (code, T::one());
-            for row in weights {
-                weight *= row[rest % 3];
-                rest /= 3;
-            }
-            sum += weight * *value;
-        }
-        sum
-    }
+    std::array::from_fn(|axis| grid.in_cells(position, axis) - T::from_index(cell[axis]))
 }

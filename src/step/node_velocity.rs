@@ -9,17 +9,21 @@ use crate::parallel::{fold_blocks, for_each_block};
 use crate::quadrature::Quadrature;
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
+use crate::simd::vectorized;
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
-/// Velocity of each node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
+/// Velocity of a node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
+///
+/// The last entry repeats the last component, see [`super::update_grid`].
 #[inline(always)]
-pub fn transfer_velocity<T: Scalar>(transfer: [T; 4]) -> [T; 4] {
+pub fn transfer_velocity<T: Scalar, const D: usize>(transfer: [T; 4]) -> [T; 4] {
     if !(transfer[3] > T::zero()) {
         return [T::zero(); 4];
     }
     let inverse = T::one() / transfer[3];
-    [transfer[0] * inverse, transfer[1] * inverse, transfer[2] * inverse, T::zero()]
+    let velocity = transfer.map(|momentum| momentum * inverse);
+    [velocity[0], velocity[1], velocity[2], velocity[D - 1]]
 }
 
 /// Node velocities before constraints: reconstructed v_I = (ρv)(x_I) / ρ(x_I), Eq. (20) of \[Song2020\], at
@@ -38,19 +42,25 @@ where
     if !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
         for_each_block(index.len(), NODE_GRAIN, velocity, &|nodes, part: &mut [[T; 4]]| {
             for (node, out) in nodes.zip(part) {
-                *out = transfer_velocity(transfer[node]);
+                *out = transfer_velocity::<T, D>(transfer[node]);
             }
         });
         return Counters::default();
     }
     let work = |nodes: std::ops::Range<usize>, part: &mut [[T; 4]]| {
-        let mut counters = Counters::default();
-        for (node, out) in nodes.zip(part) {
-            let at = view.grid.node_coordinates(index[node]);
-            let rebuilt = is_interior(view, at).then(|| rebuild(view, at, &mut counters)).flatten();
-            *out = rebuilt.unwrap_or_else(|| transfer_velocity(transfer[node]));
-        }
-        counters
+        vectorized!(_simd => {
+            let mut counters = Counters::default();
+            for (node, out) in nodes.zip(part) {
+                let at = view.grid.node_coordinates(index[node]);
+                let rebuilt =
+                    if is_interior(view, at) { rebuild(view, at, &mut counters) } else { None };
+                *out = match rebuilt {
+                    Some(velocity) => velocity,
+                    None => transfer_velocity::<T, D>(transfer[node]),
+                };
+            }
+            counters
+        })
     };
     fold_blocks(index.len(), NODE_GRAIN, velocity, &|node| node, &work, &Counters::sum)
 }
@@ -67,21 +77,29 @@ where
     K: DeviatoricStress<T, D>,
 {
     let shape = view.method.shape();
-    let at = std::array::from_fn(|axis| {
-        shape.node_coordinate(node[axis], view.grid.n_cells[axis], view.grid.periodic[axis])
-    });
+    let mut at = [T::zero(); D];
+    for axis in 0..D {
+        let (n, periodic) = (view.grid.n_cells[axis], view.grid.periodic[axis]);
+        at[axis] = shape.node_coordinate(node[axis], n, periodic);
+    }
     let p = view.particles;
-    let fit = view.method.reconstruction().at_node(&view.cloud(), at, |point| {
-        let density = p.density[point];
-        let mut row = [T::zero(); 4];
-        for axis in 0..D {
-            row[axis] = density * p.velocity[point][axis];
-        }
-        row[3] = density;
-        Row4(row)
-    });
+    let fit = view.method.reconstruction().at_node(
+        &view.cloud(),
+        at,
+        #[inline(always)]
+        |point| {
+            let density = p.density[point];
+            let mut row = [T::zero(); 4];
+            for axis in 0..D {
+                row[axis] = density * p.velocity[point][axis];
+            }
+            row[3] = density;
+            Row4(row)
+        },
+    );
     counters.count_fit(&fit);
-    fit.value().map(|Row4(row)| transfer_velocity(row))
+    let Row4(row) = fit.value()?;
+    Some(transfer_velocity::<T, D>(row))
 }
 
 /// Whether every cell of the box whose functions reach the node is full of fluid.

@@ -1,5 +1,6 @@
 //! Properties of the parts and of whole steps; real parts pass them, mutants must not.
 
+use transpoint::Solver;
 use transpoint::cells::{ABSENT, CellKind};
 use transpoint::method::Method;
 use transpoint::quadrature::Quadrature;
@@ -7,7 +8,6 @@ use transpoint::scene::{Boundary, Scene};
 use transpoint::shape::{AxisPosition, ShapeFunction};
 use transpoint::simulation::Conserved;
 use transpoint::stress::{DeviatoricStress, Inviscid};
-use transpoint::{Scalar, Solver};
 
 use super::phases::{node_sums, owned_nodes, scatter, solver};
 use super::scenes::{Block, DENSITY, SPACING};
