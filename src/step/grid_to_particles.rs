@@ -185,6 +185,7 @@ where
                 if pass.state {
                     self.strain(simd, p, points, &site, (&found, &cell_divergence, cell));
                 }
+                let mut left = None;
                 if pass.motion {
                     let position = &mut points.position[p];
                     for axis in 0..D {
@@ -192,11 +193,12 @@ where
                     }
                     let place = settle(grid, &state.physics.boundaries, position);
                     points.cell[p] = place.unwrap_or(points.cell[p]);
-                    outcome.note(point, place.is_none().then_some(Failure::LeftDomain));
+                    left = place.is_none().then_some(Failure::LeftDomain);
                     outcome.n_removed += u64::from(place == Some(ABSENT));
                 }
-                let sound = check(points.velocity[p], points.position[p], points.density[p]);
-                outcome.note(point, sound);
+                // A position that is not a number is in no cell, but has not left.
+                let unsound = check(points.velocity[p], points.position[p], points.density[p]);
+                outcome.note(point, unsound.or(left));
             }
         }
         outcome
