@@ -186,17 +186,19 @@ where
                     self.strain(simd, p, points, &site, (&found, &cell_divergence, cell));
                 }
                 if pass.motion {
-                    let position = &mut points.position[p];
                     for axis in 0..D {
-                        position[axis] += dt * motion[axis];
+                        points.position[p][axis] += dt * motion[axis];
                     }
+                }
+                let failed = check(points.velocity[p], points.position[p], points.density[p]);
+                outcome.note(point, failed);
+                if pass.motion {
+                    let position = &mut points.position[p];
                     let place = settle(grid, &state.physics.boundaries, position);
                     points.cell[p] = place.unwrap_or(points.cell[p]);
                     outcome.note(point, place.is_none().then_some(Failure::LeftDomain));
                     outcome.n_removed += u64::from(place == Some(ABSENT));
                 }
-                let sound = check(points.velocity[p], points.position[p], points.density[p]);
-                outcome.note(point, sound);
             }
         }
         outcome
@@ -288,14 +290,16 @@ fn settle<T: Scalar, const D: usize>(
     }
     let mut removed = false;
     for axis in 0..D {
-        let length = grid.spacing[axis] * T::from_index(grid.n_cells[axis]);
-        let below = position[axis] < grid.origin[axis];
-        let above = position[axis] > grid.origin[axis] + length;
-        if grid.periodic[axis] {
-            if below {
-                position[axis] += length;
-            } else if above {
-                position[axis] -= length;
+        let n = T::from_index(grid.n_cells[axis]);
+        let below = grid.in_cells(*position, axis) < T::zero();
+        let above = grid.in_cells(*position, axis) > n;
+        if grid.periodic[axis] && (below || above) {
+            let length = grid.spacing[axis] * n;
+            position[axis] += if below { length } else { -length };
+            // On the face itself rounding can put the image out on the other side.
+            let image = grid.in_cells(*position, axis);
+            if (below && image > n) || (above && image < T::zero()) {
+                position[axis] = grid.origin[axis];
             }
         } else if below || above {
             removed |= boundaries[axis][usize::from(above)] == Boundary::Free;
