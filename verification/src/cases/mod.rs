@@ -1,8 +1,9 @@
 //! The studies: one file each, one line each in the list.
 
 pub mod sine_wave;
+pub mod spectral;
 
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 1] = [&sine_wave::SineWave];
+pub static ALL: [&dyn Case; 2] = [&sine_wave::SineWave, &spectral::Spectral];

@@ -128,6 +128,7 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
             velocity,
             density: DENSITY,
             mass,
+            velocity_gradient: [[0.0; D]; D],
         });
     }
     Scene {
