@@ -202,7 +202,13 @@ fn spec(variant: Variant, layout: &str, settings: Settings, tier: Tier) -> RunSp
     let (_, dimension, cells, jitter) =
         LAYOUTS.into_iter().find(|known| known.0 == layout).unwrap_or(LAYOUTS[0]);
     let smoke = tier == Tier::Smoke;
-    let seeds = if !smoke { 10 } else if dimension == 1 { 3 } else { 1 };
+    let seeds = if !smoke {
+        10
+    } else if dimension == 1 {
+        3
+    } else {
+        1
+    };
     let courants = if smoke { vec![0.5] } else { COURANTS.to_vec() };
     let parameters = Parameters { dimension, cells, jitter, seeds, courants, settings };
     let usual = if settings == Settings::default() { "yes" } else { "no" };
@@ -266,13 +272,19 @@ fn measure<const D: usize>(
         }
         // What is round-off is reported by its decade, as it depends on the machine.
         let growth = if growth <= NEUTRAL { decade_above(growth.max(1e-15)) } else { growth };
-        for (name, value) in MEASURES.into_iter().zip([growth, (100.0 * doubling).round() / 100.0]) {
+        for (name, value) in MEASURES.into_iter().zip([growth, (100.0 * doubling).round() / 100.0])
+        {
             let (quantity, norm) = (quantity(name, courant), "max".to_owned());
             rows.push(Row { quantity, norm, value, scale: 1.0 });
         }
     }
     let value = decade_above(translation);
-    rows.push(Row { quantity: "translation".to_owned(), norm: "max".to_owned(), value, scale: 1.0 });
+    rows.push(Row {
+        quantity: "translation".to_owned(),
+        norm: "max".to_owned(),
+        value,
+        scale: 1.0,
+    });
     let counters = BTreeMap::from([("n_matrices".to_owned(), total)]);
     let seconds = start.elapsed().as_secs_f64();
     Ok(Findings { outcome: Outcome::Completed, rows, counters, seconds })

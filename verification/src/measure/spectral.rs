@@ -180,8 +180,7 @@ mod tests {
                 // Rank 15 of 24.
                 matrix = matrix.columns(0, 15) * random_matrix(15, seed + 100).resize(15, 24, 0.5);
             }
-            let largest =
-                matrix.complex_eigenvalues().iter().map(|e| e.norm()).fold(0.0, f64::max);
+            let largest = matrix.complex_eigenvalues().iter().map(|e| e.norm()).fold(0.0, f64::max);
             let found = spectrum(&matrix).log_radius.exp();
             assert!((found / largest - 1.0).abs() < 1e-3, "{found} {largest}");
         }

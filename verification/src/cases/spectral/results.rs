@@ -180,21 +180,24 @@ fn figure(records: &[RunRecord]) -> Figure {
                         spec.label("default") == "yes"
                     }
             });
-            let curves = chosen.enumerate().map(|(index, record)| curve(record, of_settings, index));
+            let curves =
+                chosen.enumerate().map(|(index, record)| curve(record, of_settings, index));
             let (_, dimension, cells, jitter) =
                 LAYOUTS.into_iter().find(|known| known.0 == layout).unwrap_or(LAYOUTS[0]);
             let what = if of_settings { "tpm-vp by setting" } else { "methods, default settings" };
             panels.push(Panel {
                 title: format!("{dimension}D, {cells} cells per axis, jitter ±{jitter}: {what}"),
                 x: Axis::linear("Courant number c Δt √D / h").with_ticks([0.1, 0.3, 0.5, 0.7, 0.9]),
-                y: Axis::log("growth per step ρ(A) − 1").with_ticks([1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1.0]),
+                y: Axis::log("growth per step ρ(A) − 1")
+                    .with_ticks([1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1.0]),
                 legend: if of_settings { "setting" } else { "method" }.to_owned(),
                 curves: curves.collect(),
                 slopes: Vec::new(),
             });
         }
     }
-    let title = format!("Linearised step at frozen, disordered points; up to {NEUTRAL:e} is neutral");
+    let title =
+        format!("Linearised step at frozen, disordered points; up to {NEUTRAL:e} is neutral");
     Figure { title, panels, columns: 2 }
 }
 
@@ -206,8 +209,6 @@ fn curve(record: &RunRecord, of_settings: bool, index: usize) -> Curve {
         label: if of_settings { spec.label("setting").to_owned() } else { spec.variant.clone() },
         style: if of_settings { index } else { style.unwrap_or(0) },
         // A missing value is a gap; the maximum above would hide it.
-        points: points
-            .filter(|&(courant, _)| !growth(record, courant).is_nan())
-            .collect(),
+        points: points.filter(|&(courant, _)| !growth(record, courant).is_nan()).collect(),
     }
 }
