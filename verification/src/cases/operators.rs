@@ -20,6 +20,7 @@
 
 mod apply;
 mod cloud;
+mod families;
 mod results;
 #[cfg(test)]
 mod tests;
@@ -38,7 +39,8 @@ use crate::number::decade_above;
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
-use cloud::{JITTER, REGIONS, Region};
+use cloud::{JITTER, Region};
+use families::{FAMILIES, missing_rows, quantities};
 
 /// Cells per axis, coarsest first.
 const CELLS: [usize; 5] = [8, 16, 32, 64, 128];
@@ -48,41 +50,6 @@ const SMOKE_LEVELS: usize = 3;
 const LAYOUTS: [&str; 3] = ["regular", "jittered", "random"];
 /// Seed of a layout is this plus the level.
 const SEED: u64 = 20_260_502;
-
-/// Operators that are compared with each other, and the quantities measured.
-struct Family {
-    operators: &'static [&'static str],
-    quantities: &'static [&'static str],
-}
-
-/// Every operator.
-const FAMILIES: [Family; 5] = [
-    Family {
-        operators: &["linear", "gimp", "bspline2", "bspline3"],
-        quantities: &["value", "gradient"],
-    },
-    Family {
-        operators: &[
-            "pic-linear",
-            "pic-gimp",
-            "pic-bspline2",
-            "pic-bspline3",
-            "apic-linear",
-            "apic-bspline2",
-            "apic-bspline3",
-        ],
-        quantities: &["value"],
-    },
-    Family { operators: &["carried"], quantities: &["center"] },
-    Family {
-        operators: &["shepard", "mls1-r1", "mls1-r1.5", "mls1-r2", "mls2-r1.5", "mls2-r2"],
-        quantities: &["center", "node", "gradient"],
-    },
-    Family {
-        operators: &["div-constant", "div-linear", "div-quadratic", "div-vertex-mean"],
-        quantities: &["divergence"],
-    },
-];
 
 /// A field with what follows from it.
 struct Field {
@@ -119,16 +86,24 @@ struct Sample {
     region: Region,
     error: f64,
     exact: f64,
+    /// Whether a fit fell back to the constant basis.
+    fell_back: bool,
 }
 
 impl Sample {
     fn scalar(quantity: &'static str, region: Region, found: f64, exact: f64) -> Self {
-        Self { quantity, region, error: (found - exact).abs(), exact: exact.abs() }
+        Self {
+            quantity,
+            region,
+            error: (found - exact).abs(),
+            exact: exact.abs(),
+            fell_back: false,
+        }
     }
 
     fn vector(quantity: &'static str, region: Region, found: [f64; 2], exact: [f64; 2]) -> Self {
         let error = (found[0] - exact[0]).hypot(found[1] - exact[1]);
-        Self { quantity, region, error, exact: exact[0].hypot(exact[1]) }
+        Self { quantity, region, error, exact: exact[0].hypot(exact[1]), fell_back: false }
     }
 }
 
@@ -200,12 +175,16 @@ impl Case for Operators {
         };
         let mut rows: Vec<Row> =
             quantities(&spec.variant).flat_map(|(q, r, name)| rows(&smooth, q, r, &name)).collect();
+        let n_fallbacks = smooth.iter().filter(|sample| sample.fell_back).count() as u64;
         rows.push(exactness("exact-constant", &constant));
         rows.push(exactness("exact-linear", &linear));
         Findings {
             outcome: Outcome::Completed,
             rows,
-            counters: BTreeMap::from([("n_samples".to_owned(), smooth.len() as u64)]),
+            counters: BTreeMap::from([
+                ("n_samples".to_owned(), smooth.len() as u64),
+                ("n_singular_fallbacks".to_owned(), n_fallbacks),
+            ]),
             seconds: start.elapsed().as_secs_f64(),
         }
     }
@@ -235,21 +214,6 @@ fn spec(operator: &str, layout: &str, level: usize) -> RunSpec {
         // Plain data of numbers always has a JSON form.
         parameters: serde_json::to_value(parameters).unwrap_or_default(),
     }
-}
-
-/// Quantities of an operator in each region, with their full names.
-fn quantities(operator: &str) -> impl Iterator<Item = (&'static str, Region, String)> {
-    let family = FAMILIES.iter().find(|family| family.operators.contains(&operator));
-    let quantities = family.map_or(&[][..], |family| family.quantities);
-    quantities.iter().flat_map(|&quantity| {
-        REGIONS.map(|(region, name)| (quantity, region, format!("{quantity}@{name}")))
-    })
-}
-
-fn missing_rows(operator: &str) -> Vec<Row> {
-    let norms = quantities(operator)
-        .flat_map(|(_, _, name)| ["l2", "max"].map(|norm| Row::missing(name.clone(), norm)));
-    norms.chain(["exact-constant", "exact-linear"].map(|name| Row::missing(name, "max"))).collect()
 }
 
 /// Root mean square and largest error of one quantity in one region.

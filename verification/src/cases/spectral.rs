@@ -24,29 +24,26 @@
 //! points, and what interpolation and fit do between two cells is a filter of the pressure
 //! increment. Growth is then a question of that filter's spectrum alone, which is measured here.
 
+mod growth;
 mod results;
 mod step;
 #[cfg(test)]
 mod tests;
 
 use std::collections::BTreeMap;
-use std::time::Instant;
 
-use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 use transpoint::formulation::PointDivergence;
 use transpoint::variants::StressUpdate;
 use transpoint::{Settings, Variant};
 
-use crate::case::{Case, Findings, Outcome, Row, RunSpec, Tier};
+use crate::case::{Case, Findings, RunSpec, Tier};
 use crate::convergence::Order;
 use crate::judge::Check;
-use crate::measure::spectral::{Spectrum, jacobian, spectrum};
-use crate::number::decade_above;
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
-use step::{Build, Step};
+use growth::{measure, missing_rows};
 
 /// Courant numbers c Δt √D / h.
 const COURANTS: [f64; 7] = [0.03, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];
@@ -225,77 +222,4 @@ fn spec(variant: Variant, layout: &str, settings: Settings, tier: Tier) -> RunSp
         // Plain data of numbers and names always has a JSON form.
         parameters: serde_json::to_value(parameters).unwrap_or_default(),
     }
-}
-
-/// What is measured at each Courant number: ρ(A) − 1, and log₂ ‖A^(2N)‖/‖Aᴺ‖ at N = 2¹⁶.
-const MEASURES: [&str; 2] = ["growth", "doubling"];
-
-fn quantity(measure: &str, courant: f64) -> String {
-    format!("{measure}@{courant}")
-}
-
-fn missing_rows(parameters: &Parameters) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for &courant in &parameters.courants {
-        rows.extend(MEASURES.map(|name| Row::missing(quantity(name, courant), "max")));
-    }
-    rows.push(Row::missing("translation", "max"));
-    rows
-}
-
-/// Growth of all layouts at all Courant numbers; the largest over the layouts is reported.
-fn measure<const D: usize>(
-    variant: Variant,
-    parameters: &Parameters,
-    build: Build<D>,
-    progress: &Progress,
-) -> Result<Findings, String> {
-    let start = Instant::now();
-    let total = parameters.courants.len() as u64 * parameters.seeds;
-    let mut rows = Vec::new();
-    let mut translation = 0.0_f64;
-    for (c, &courant) in parameters.courants.iter().enumerate() {
-        let (mut growth, mut doubling) = (0.0_f64, 0.0_f64);
-        for seed in 0..parameters.seeds {
-            let step = Step {
-                variant,
-                settings: &parameters.settings,
-                build,
-                scene: step::scene::<D>(parameters.cells, parameters.jitter, SEED + seed),
-                dt: courant / (D as f64).sqrt(),
-            };
-            let (found, drift) = of_one_step(step)?;
-            growth = growth.max(found.growth());
-            doubling = doubling.max(found.doubling);
-            translation = translation.max(drift);
-            progress.advance(c as u64 * parameters.seeds + seed + 1, total);
-        }
-        // What is round-off is reported by its decade, as it depends on the machine.
-        let growth = if growth <= NEUTRAL { decade_above(growth.max(1e-15)) } else { growth };
-        for (name, value) in MEASURES.into_iter().zip([growth, (100.0 * doubling).round() / 100.0])
-        {
-            let (quantity, norm) = (quantity(name, courant), "max".to_owned());
-            rows.push(Row { quantity, norm, value, scale: 1.0 });
-        }
-    }
-    let value = decade_above(translation);
-    rows.push(Row {
-        quantity: "translation".to_owned(),
-        norm: "max".to_owned(),
-        value,
-        scale: 1.0,
-    });
-    let counters = BTreeMap::from([("n_matrices".to_owned(), total)]);
-    let seconds = start.elapsed().as_secs_f64();
-    Ok(Findings { outcome: Outcome::Completed, rows, counters, seconds })
-}
-
-/// The spectrum of one step, and the largest change of a uniform velocity by it.
-fn of_one_step<const D: usize>(mut step: Step<'_, D>) -> Result<(Spectrum, f64), String> {
-    let base = step.base();
-    let width = step.width();
-    let matrix = jacobian(&base, |state| step.advance(state))?;
-    let uniform = DVector::from_fn(base.len(), |k, _| if k % width == 0 { 1.0 } else { 0.0 });
-    let drift = (&matrix * &uniform - &uniform).amax();
-    Ok((spectrum(&matrix), drift))
 }

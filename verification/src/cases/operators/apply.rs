@@ -1,6 +1,6 @@
 //! The operators under study, each applied by the library's own code to a field.
 
-use transpoint::basis::{Constant, Linear as LinearBasis, PolynomialBasis, Quadratic};
+use transpoint::basis::{Constant, Fit, Linear as LinearBasis, PolynomialBasis, Quadratic};
 use transpoint::formulation::{Formulation, PointDivergence};
 use transpoint::math::Value;
 use transpoint::method::Scheme;
@@ -172,9 +172,11 @@ fn fitted<B: PolynomialBasis<f64, 2>>(
     for (flat, found) in nodes.iter_mut().enumerate() {
         let node = [flat / (n + 1), flat % (n + 1)];
         let fit = reconstruction.at_node(&cloud, node.map(|i| i as f64), |p| Value(values[p]));
+        let fell_back = !matches!(fit, Fit::Regular(_));
         *found = fit.value().map_or(f64::NAN, |Value(value)| value);
         let exact = (field.value)(node.map(|i| i as f64 / n as f64));
-        samples.push(Sample::scalar("node", Region::of(node, n), *found, exact));
+        let sample = Sample::scalar("node", Region::of(node, n), *found, exact);
+        samples.push(Sample { fell_back, ..sample });
     }
     for flat in 0..n * n {
         let cell = [flat / n, flat % n];
@@ -207,9 +209,11 @@ fn reconstruct<R: Reconstruction<f64, 2>>(
         .map(|flat| {
             let cell = [flat / n, flat % n];
             let fit = reconstruction.at_center(&cloud, cell, |p| Value(values[p]));
+            let fell_back = !matches!(fit, Fit::Regular(_));
             let found = fit.value().map_or(f64::NAN, |Value(value)| value);
             let exact = (field.value)(center(cell, n));
-            Sample::scalar("center", Region::of(cell, n - 1), found, exact)
+            let sample = Sample::scalar("center", Region::of(cell, n - 1), found, exact);
+            Sample { fell_back, ..sample }
         })
         .collect()
 }

@@ -1,6 +1,7 @@
 //! From the records of this case to checks, figures and tables.
 
-use super::{CELLS, FAMILIES, Family, LAYOUTS};
+use super::families::{FAMILIES, Family};
+use super::{CELLS, LAYOUTS};
 use crate::convergence::{Order, Series, series};
 use crate::judge::Check;
 use crate::number;
@@ -140,7 +141,11 @@ pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
                 &[(transfers, "value"), (divergences, "divergence")],
             )),
         ),
-        accuracy("operators_orders", "Errors and orders", Content::Table(table(&all, policy))),
+        accuracy(
+            "operators_orders",
+            "Errors and orders",
+            Content::Table(table(&all, &format!("{policy} {}", fallbacks(records)))),
+        ),
     ]
 }
 
@@ -176,6 +181,19 @@ fn figure(all: &[Series], title: &str, rows: &[(&Family, &str)]) -> Figure {
         }
     }
     Figure { title: format!("{title}: errors on {layout} points"), panels, columns: 2 }
+}
+
+/// How often a fit fell back to the constant basis; one such cell can decide the order at walls.
+fn fallbacks(records: &[RunRecord]) -> String {
+    let count = |record: &RunRecord| {
+        let n = *record.counters.get("n_singular_fallbacks")?;
+        let n_cells = (1.0 / record.spec.spacing).round();
+        (n > 0)
+            .then(|| format!("{} {} h=1/{n_cells}: {n}", record.spec.variant, record.spec.layout))
+    };
+    let found: Vec<String> = records.iter().filter_map(count).collect();
+    let found = if found.is_empty() { "none".to_owned() } else { found.join(", ") };
+    format!("Fits with too few points about the centre or node, given the weighted mean: {found}.")
 }
 
 fn table(all: &[Series], policy: &str) -> Table {

@@ -2,7 +2,8 @@
 
 use transpoint::Variant;
 
-use super::{COURANTS, LAYOUTS, NEUTRAL, quantity};
+use super::growth::quantity;
+use super::{COURANTS, LAYOUTS, NEUTRAL};
 use crate::judge::Check;
 use crate::number::scientific;
 use crate::record::RunRecord;
