@@ -10,8 +10,9 @@
 //!   of second order: values are not the coefficients of an interpolant;
 //! - transfer: from the points to the nodes by mass-weighted means and back, `value` at the points:
 //!   PIC \[Harlow1964\], and APIC \[Jiang2015\] with the exact gradient as affine field;
-//! - reconstruction \[LancasterSalkauskas1981\], \[Shepard1968\]: the field at the points, its value at the cell
-//!   `center` and at the `node`, and the `gradient` at the centre by the one-point rule from the node values;
+//! - reconstruction by moving least squares, of which the constant one is \[Shepard1968\]: the field
+//!   at the points, its value at the cell `center` and at the `node`, and the `gradient` at the centre
+//!   by the one-point rule from the node values;
 //! - point divergence: the divergence of each cell by the one-point rule from exact node velocities,
 //!   brought to the points.
 //!

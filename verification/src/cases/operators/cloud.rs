@@ -62,8 +62,8 @@ pub(super) const BOUNDARIES: [[Boundary; 2]; 2] = [[Boundary::Free; 2]; 2];
 
 /// Positions of 4 points per cell on average.
 ///
-/// `regular`: a lattice; `jittered`: the same displaced; `random`: one point anywhere in each cell, the
-/// rest anywhere in the square.
+/// `regular`: a lattice; `jittered`: the same displaced; `random`: one point anywhere in each cell,
+/// the rest anywhere in the square.
 pub(super) fn positions(layout: &str, n: usize, seed: u64) -> Vec<[f64; 2]> {
     let mut random = Pcg64::seed_from_u64(seed);
     let mut unit = || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);

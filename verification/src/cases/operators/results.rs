@@ -156,16 +156,16 @@ fn figure(all: &[Series], title: &str, rows: &[(&Family, &str)]) -> Figure {
     for (family, quantity) in rows {
         for region in ["interior", "wall"] {
             let name = format!("{quantity}@{region}");
-            let find = |operator: &&str| {
+            let find = |operator: &str| {
                 all.iter().find(|series| {
-                    (series.variant == **operator)
+                    (series.variant == operator)
                         && (series.layout == layout)
                         && (series.quantity == name)
                         && (series.norm == "l2")
                 })
             };
             let curves = family.operators.iter().enumerate().filter_map(|(style, operator)| {
-                let series = find(&operator)?;
+                let series = find(operator)?;
                 let order = number::order(series.order().order);
                 let label = format!("{operator} ({order})");
                 Some(Curve { label, style, points: series.points.clone() })

@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use transpoint::Variant;
 
 use super::step::{Build, Step, scene};
-use super::{NEUTRAL, Parameters, SEED};
+use super::{DEFECTIVE, LINEAR, NEUTRAL, Parameters, SEED};
 use crate::case::{Findings, Outcome, Row};
 use crate::measure::spectral::{Spectrum, jacobian, spectrum};
 use crate::number::decade_above;
@@ -58,8 +58,7 @@ pub(super) fn measure<const D: usize>(
             translation = translation.max(drift);
             progress.advance(c as u64 * parameters.seeds + seed + 1, total);
         }
-        // What is round-off is reported by its decade, as it depends on the machine.
-        let growth = if growth <= NEUTRAL { decade_above(growth.max(1e-15)) } else { growth };
+        let growth = reported(growth, doubling);
         for (name, value) in MEASURES.into_iter().zip([growth, (100.0 * doubling).round() / 100.0])
         {
             let (quantity, norm) = (quantity(name, courant), "max".to_owned());
@@ -76,6 +75,13 @@ pub(super) fn measure<const D: usize>(
     let counters = BTreeMap::from([("n_matrices".to_owned(), total)]);
     let seconds = start.elapsed().as_secs_f64();
     Ok(Findings { outcome: Outcome::Completed, rows, counters, seconds })
+}
+
+/// What is round-off, or the root of round-off in a defective eigenvalue, is reported by its
+/// decade, as it depends on the machine.
+fn reported(growth: f64, doubling: f64) -> f64 {
+    let defective = growth < DEFECTIVE && doubling < 3.0 * LINEAR;
+    if growth <= NEUTRAL || defective { decade_above(growth.max(1e-15)) } else { growth }
 }
 
 /// The spectrum of one step, and the largest change of a uniform velocity by it.

@@ -100,7 +100,7 @@ pub(super) fn scene<const D: usize>(cells: usize, jitter: f64, seed: u64) -> Sce
             break positions;
         }
     };
-    let mass = 0.5f64.powi(D as i32);
+    let mass = std::iter::repeat_n(0.5, D).product();
     let point = |position| PointSpec {
         position,
         velocity: [0.0; D],
