@@ -19,11 +19,11 @@
 //!
 //! The force of that formulation is the adjoint of the *cell* divergence, not of the divergence
 //! interpolated to the points. The work of pressure would balance exactly with the adjoint of the
-//! whole chain nodes → cells → points, but then constant pressure would push disordered points: the
+//! whole chain nodes → cells → points, but then constant pressure would push disordered points; the
 //! plain gradient of cell pressures is what keeps a fluid at rest. The price is that the points'
 //! densities enter the force by a fit at the cell centres that is not the transpose of the
 //! interpolation. Fit after interpolation acts on the pressure increment as a filter; where it is
-//! not symmetric, squared frequencies become complex and disturbances grow at a rate per time,
+//! not symmetric, squared frequencies can be complex and disturbances grow at a rate per time,
 //! whatever the step; where it filters an oscillation of the cells out altogether (the vertex mean
 //! does), a pressure of that form drives a velocity that nothing opposes, and grows linearly.
 //! Stress updated last damps by (ω Δt)² per step, which outweighs the former but for small steps.

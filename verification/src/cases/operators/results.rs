@@ -84,7 +84,8 @@ pub(super) fn checks(records: &[RunRecord], orders: &[Order]) -> Vec<Check> {
 /// Constant and linear fields on the coarsest level, where the gradient's round-off is least.
 fn exactness_checks(records: &[RunRecord]) -> Vec<Check> {
     let mut checks = Vec::new();
-    for record in records.iter().filter(|record| record.spec.level == 0) {
+    let coarsest = records.iter().map(|record| record.spec.level).min();
+    for record in records.iter().filter(|record| Some(record.spec.level) == coarsest) {
         let spec = &record.spec;
         let linear = LINEAR_OPERATORS.contains(&spec.variant.as_str());
         for (name, applies) in [("exact-constant", true), ("exact-linear", linear)] {
@@ -167,7 +168,8 @@ fn figure(all: &[Series], title: &str, rows: &[(&Family, &str)]) -> Figure {
             let curves = family.operators.iter().enumerate().filter_map(|(style, operator)| {
                 let series = find(operator)?;
                 let order = number::order(series.order().order);
-                let label = format!("{operator} ({order})");
+                let name = operator.replace("bspline", "bs").replace("div-", "");
+                let label = format!("{} ({order})", name.replace("vertex-mean", "vertex"));
                 Some(Curve { label, style, points: series.points.clone() })
             });
             panels.push(Panel {
