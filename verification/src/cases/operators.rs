@@ -178,8 +178,8 @@ impl Case for Operators {
         let mut rows: Vec<Row> =
             quantities(&spec.variant).flat_map(|(q, r, name)| rows(&smooth, q, r, &name)).collect();
         let n_fallbacks = smooth.iter().filter(|sample| sample.fell_back).count() as u64;
-        rows.push(exactness("exact-constant", &constant));
-        rows.push(exactness("exact-linear", &linear));
+        rows.push(exactness("exact-constant", &constant, spec.spacing));
+        rows.push(exactness("exact-linear", &linear, spec.spacing));
         Findings {
             outcome: Outcome::Completed,
             rows,
@@ -246,9 +246,13 @@ fn greater(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// Largest error of all samples; round-off is reported by its decade, as it depends on the machine.
-fn exactness(quantity: &str, samples: &[Sample]) -> Row {
-    let error = samples.iter().map(|sample| sample.error).fold(0.0, greater);
+/// Largest error of all samples, derivatives per cell as they are formed; round-off is reported by its decade, as it depends on the machine.
+fn exactness(quantity: &str, samples: &[Sample], spacing: f64) -> Row {
+    let error_of = |sample: &Sample| match sample.quantity {
+        "gradient" | "divergence" => sample.error * spacing,
+        _ => sample.error,
+    };
+    let error = samples.iter().map(error_of).fold(0.0, greater);
     let value = if error < 1e-10 { decade_above(error) } else { error };
     Row { quantity: quantity.to_owned(), norm: "max".to_owned(), value, scale: 1.0 }
 }

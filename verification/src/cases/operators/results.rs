@@ -11,8 +11,7 @@ use crate::report::plot::{Curve, Figure, Panel};
 use crate::report::table::{Cell, Table};
 use crate::report::{Area, Artifact, Content};
 
-/// Largest error on a field that is to be reproduced exactly: values are of order 1; gradients
-/// multiply round-off by up to 1/h.
+/// Largest error on a field that is to be reproduced exactly: values of order 1, gradients per cell.
 const EXACT: f64 = 1e-12;
 
 /// Operator, layout (empty: all), quantity, lower and upper bound of the order in `l2`.
@@ -81,7 +80,7 @@ pub(super) fn checks(records: &[RunRecord], orders: &[Order]) -> Vec<Check> {
     checks
 }
 
-/// Constant and linear fields on the coarsest level, where the gradient's round-off is least.
+/// Constant and linear fields on the coarsest level on record.
 fn exactness_checks(records: &[RunRecord]) -> Vec<Check> {
     let mut checks = Vec::new();
     let coarsest = records.iter().map(|record| record.spec.level).min();
