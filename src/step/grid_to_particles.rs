@@ -142,7 +142,7 @@ where
         points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
     ) -> Outcome {
         let Self { state, pass, dt, begin } = *self;
-        let (shape, grid) = (state.method.shape(), state.grid);
+        let (shape, grid) = (state.method.shape(), *state.grid);
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
         let share = state.method.transfer().flip_share(dt);
         let n_rows = M::Shape::REACH.pow(D as u32 - 1);
@@ -150,17 +150,19 @@ where
         for slot in slots {
             let cell = grid.cell_coordinates(state.cells.index[slot]);
             let mut moments = [[T::zero(); MAX_WIDTH]; D];
-            let node_at = if affine { node_positions(&shape, grid, cell) } else { moments };
+            let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
             let cell_divergence = if pass.state {
                 CellDivergence::around(state, slot, cell)
             } else {
                 CellDivergence::AtPoint
             };
             let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
-            for point in state.cells.points(slot) {
-                let p = point - begin;
+            let of_cell = state.cells.points(slot);
+            let first = of_cell.start;
+            let mut points = points.part(first - begin..of_cell.end - begin);
+            for p in 0..of_cell.len() {
                 let position = points.position[p];
-                let rows = rows_at(&shape, grid, cell, position);
+                let rows = rows_at(&shape, &grid, cell, position);
                 if affine {
                     moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
                 }
@@ -183,22 +185,24 @@ where
                     }
                 }
                 if pass.state {
-                    self.strain(simd, p, points, &site, (&found, &cell_divergence, cell));
+                    self.strain(simd, p, &mut points, &site, (&found, &cell_divergence, cell));
                 }
-                let mut left = None;
                 if pass.motion {
-                    let position = &mut points.position[p];
                     for axis in 0..D {
-                        position[axis] += dt * motion[axis];
+                        points.position[p][axis] += dt * motion[axis];
                     }
-                    let place = settle(grid, &state.physics.boundaries, position);
-                    points.cell[p] = place.unwrap_or(points.cell[p]);
-                    left = place.is_none().then_some(Failure::LeftDomain);
-                    outcome.n_removed += u64::from(place == Some(ABSENT));
                 }
-                // A position that is not a number is in no cell, but has not left.
-                let unsound = check(points.velocity[p], points.position[p], points.density[p]);
-                outcome.note(point, unsound.or(left));
+                let (velocity, density) = (points.velocity[p], points.density[p]);
+                if !is_quiet(&grid, cell, points.position[p], velocity, density) {
+                    outcome.note(first + p, check(velocity, points.position[p], density));
+                    if pass.motion {
+                        let place =
+                            settle(&grid, &state.physics.boundaries, &mut points.position[p]);
+                        points.cell[p] = place.unwrap_or(points.cell[p]);
+                        outcome.note(first + p, place.is_none().then_some(Failure::LeftDomain));
+                        outcome.n_removed += u64::from(place == Some(ABSENT));
+                    }
+                }
             }
         }
         outcome
@@ -279,7 +283,7 @@ fn blend<T: Scalar, const D: usize, X: Transfer<T, D>>(
 /// Moves a point into the box over periodic faces and finds its cell.
 ///
 /// [`ABSENT`] marks a point that has left through a free face; `None` one that has left elsewhere.
-#[inline(always)]
+#[inline(never)]
 fn settle<T: Scalar, const D: usize>(
     grid: &Grid<T, D>,
     boundaries: &[[Boundary; 2]; D],
@@ -308,7 +312,26 @@ fn settle<T: Scalar, const D: usize>(
     if removed { Some(ABSENT) } else { grid.cell_of(*position) }
 }
 
+/// Whether a point is sound and still in its cell, which spares the search.
 #[inline(always)]
+fn is_quiet<T: Scalar, const D: usize>(
+    grid: &Grid<T, D>,
+    cell: [usize; D],
+    position: [T; D],
+    velocity: [T; D],
+    density: T,
+) -> bool {
+    let mut quiet = density > T::zero() && density.is_finite();
+    let mut zero = T::zero();
+    for axis in 0..D {
+        let xi = grid.in_cells(position, axis) - T::from_index(cell[axis]);
+        quiet &= xi >= T::zero() && xi < T::one();
+        zero += T::zero() * velocity[axis];
+    }
+    quiet && zero == T::zero()
+}
+
+#[cold]
 fn check<T: Scalar, const D: usize>(
     velocity: [T; D],
     position: [T; D],

@@ -228,16 +228,18 @@ where
         slot: usize,
         target: &mut Target<'_, T>,
     ) {
-        let (view, p) = (self.view, self.view.particles);
-        let shape = view.method.shape();
+        let view = self.view;
+        let (shape, grid) = (view.method.shape(), *view.grid);
+        let of_cell = view.cells.points(slot);
+        let (first, p) = (of_cell.start, view.particles.part(of_cell));
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
         let mut moments = [[T::zero(); MAX_WIDTH]; D];
-        let node_at = if affine { node_positions(&shape, view.grid, cell) } else { moments };
+        let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
-        for point in view.cells.points(slot) {
+        for point in 0..p.position.len() {
             let position = p.position[point];
-            let rows = rows_at(&shape, view.grid, cell, position);
+            let rows = rows_at(&shape, &grid, cell, position);
             let (mass, density) = (p.mass[point], p.density[point]);
             let mut momentum = [T::zero(); 4];
             for axis in 0..D {
@@ -258,7 +260,7 @@ where
                 site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
                 continue;
             };
-            let (volume, sample_mass) = volumes.of(point, mass, density);
+            let (volume, sample_mass) = volumes.of(first + point, mass, density);
             let pressure = view.physics.equation_of_state.pressure(density);
             let work = if *with_pressure { volume * pressure } else { T::zero() };
             let flux = self.flux(work, volume, &p.stress[point]);
