@@ -7,7 +7,7 @@ use common::checks::{
 };
 use common::parts::{BLEND, DT, FLIP, GIMP, MIXED, block, cases, mls, setup};
 use common::phases::{scheme, solver};
-use common::scenes::SPACING;
+use common::scenes::{Block, SPACING};
 use common::{Gap, all};
 use proptest::prelude::*;
 use transpoint::quadrature::Particle;
@@ -15,7 +15,12 @@ use transpoint::reconstruction::Carried;
 use transpoint::shape::{CubicBspline, Gimp, Linear, QuadraticBspline};
 use transpoint::transfer::{Apic, Flip, Pic, Transfer};
 use transpoint::variants::Blend;
-use transpoint::{Observation, Simulation};
+use transpoint::{Observation, Scene, Simulation};
+
+/// Points stay away from the nodes: next to one the hat has no stable step.
+fn calm<const D: usize>(setup: (u64, bool)) -> Scene<D> {
+    Block { jitter: 0.3, ..block::<D>(setup) }.scene()
+}
 
 /// Bounds in ε of Σ m |v|: sums over points and nodes are formed in `f64`, so in `f64` the order of
 /// summation adds a few ε; in `f32` each node's own sum is rounded.
@@ -36,7 +41,7 @@ macro_rules! conservation {
 
                 #[test]
                 fn steps_under_pressure_keep_mass_and_momentum(setup in setup()) {
-                    let (scene, limits) = (block::<$dimension>(setup).scene(), (false, 64.0));
+                    let (scene, limits) = (calm::<$dimension>(setup), (false, 64.0));
                     $(steps_keep_totals::<$scalar, _, $dimension>(&scene, $scheme, (5, DT), limits)
                         .map_err(TestCaseError::fail)?;)+
                 }
@@ -108,7 +113,7 @@ proptest! {
     /// away from walls; with the hat and uGIMP a point's spin changes as it moves through a cell.
     #[test]
     fn affine_bspline_steps_keep_angular_momentum(seed in any::<u64>()) {
-        let (plane, space) = (block::<2>((seed, false)).scene(), block::<3>((seed, false)).scene());
+        let (plane, space) = (calm::<2>((seed, false)), calm::<3>((seed, false)));
         let (steps, limits) = ((5, DT), (true, 64.0));
         all([
             steps_keep_totals::<f64, _, 2>(
