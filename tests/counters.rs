@@ -18,12 +18,12 @@ fn table(scene: &Scene<2>, settings: &Settings) -> String {
     });
     let mut table = format!("{:22}", "");
     for (name, _) in &runs {
-        write!(table, "{name:>10}").unwrap();
+        write!(table, "{name:>18}").unwrap();
     }
     for line in 0..runs[0].1.len() {
         write!(table, "\n{:22}", runs[0].1[line].0).unwrap();
         for (_, entries) in &runs {
-            write!(table, "{:>10}", entries[line].1).unwrap();
+            write!(table, "{:>18}", entries[line].1).unwrap();
         }
     }
     table

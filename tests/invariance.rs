@@ -223,8 +223,7 @@ where
         for axis in 0..D {
             point.velocity[axis] -= boost[axis];
             let length = 5.0 * SPACING[axis];
-            let reference = point.position[axis];
-            point.position[axis] = reference.rem_euclid(length);
+            point.position[axis] = point.position[axis].rem_euclid(length);
         }
         point
     });

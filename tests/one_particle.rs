@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::phases::{Part, gather, scatter, scheme, solver, velocity_row};
+use common::phases::{MOTION, STATE, VELOCITY, gather, scatter, scheme, solver, velocity_row};
 use common::scenes::{Block, Build};
 use common::{Random, near};
 use transpoint::cells::ABSENT;
@@ -168,7 +168,7 @@ const GATHERED: [f64; 2] = [5.25, 7.25];
 fn flip_blends_the_increment_with_the_gathered_velocity() {
     let mut solver = one_point(HALF_FLIP);
     fill_nodes(&mut solver);
-    gather(&mut solver, Part::Velocity, 0.125, &[]);
+    gather(&mut solver, VELOCITY, 0.125).unwrap();
     // ½ (v + Δv) + ½ v⁺ with Δv = (1.25, 0.75).
     assert_eq!(
         solver.particles.velocity,
@@ -186,8 +186,8 @@ fn pic_and_apic_read_neither_the_old_velocity_nor_the_increment() {
     apic.particles.affine[0] = Tensor([[f64::NAN; 2]; 2]);
     fill_nodes(&mut pic);
     fill_nodes(&mut apic);
-    gather(&mut pic, Part::Velocity, 0.125, &[]);
-    gather(&mut apic, Part::Velocity, 0.125, &[]);
+    gather(&mut pic, VELOCITY, 0.125).unwrap();
+    gather(&mut apic, VELOCITY, 0.125).unwrap();
     assert_eq!((pic.particles.velocity[0], apic.particles.velocity[0]), (GATHERED, GATHERED));
     for (row, exact) in apic.particles.affine[0].0.iter().zip([[2.0, -1.0], [0.5, 4.0]]) {
         // D_p = (¾, 1/16) m²; ¾ has no exact inverse.
@@ -201,7 +201,7 @@ fn density_follows_the_divergence_at_the_point() {
     let mut solver = one_point(HALF_FLIP);
     fill_nodes(&mut solver);
     solver.nodes.increment.fill(NAN);
-    gather(&mut solver, Part::State, 0.125, &[]);
+    gather(&mut solver, STATE, 0.125).unwrap();
     assert_eq!(solver.particles.density, [4.0 / (1.0 + 0.125 * 6.0)]);
     assert_eq!(
         (solver.particles.position[0], solver.particles.velocity[0]),
@@ -214,9 +214,9 @@ fn motion_takes_the_gathered_velocity_and_finds_the_new_cell() {
     let mut solver = one_point(HALF_FLIP);
     fill_nodes(&mut solver);
     solver.nodes.increment.fill(NAN);
-    let outcome = gather(&mut solver, Part::Motion, 0.0625, &[]);
+    gather(&mut solver, MOTION, 0.0625).unwrap();
     assert_eq!(solver.particles.position, [[2.5 + 5.25 / 16.0, 0.75 + 7.25 / 16.0]]);
-    assert_eq!((solver.particles.cell[0], outcome.failure, outcome.n_removed), (5, None, 0));
+    assert_eq!((solver.particles.cell[0], solver.counters.n_points_removed), (5, 0));
 }
 
 /// x_n = x_0 + n Δt v_0 + ½ n (n + 1) Δt² g wherever the point is in its cell, up to round-off.

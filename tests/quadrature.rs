@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::checks::CloudData;
+use common::clouds::CloudData;
 use common::near;
 use common::parts::{DT, FLIP, MIXED, mls};
 use common::phases::{scheme, solver};

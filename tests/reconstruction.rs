@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::checks::{CloudData, reproduces};
+use common::clouds::{CloudData, reproduces};
 use common::parts::{cases, setup};
 use common::phases::{scatter, scheme, solver};
 use common::scenes::Block;

@@ -5,7 +5,7 @@ mod common;
 use common::checks::point_divergence_is_linear;
 use common::near;
 use common::parts::{FLIP, MIXED, mls};
-use common::phases::{Part, cell_divergence, gather, scheme, solver};
+use common::phases::{STATE, gather, scheme, solver};
 use common::scenes::{Block, DENSITY};
 use transpoint::error::StepError;
 use transpoint::formulation::{Formulation, PointDivergence};
@@ -157,8 +157,7 @@ fn cell_divergence_is_interpolated_to_the_points() {
         for (slot, &node) in solver.nodes.index.iter().enumerate() {
             solver.nodes.velocity[slot] = [at(node), 0.0, 0.0, at(node)];
         }
-        let divergence = cell_divergence(&solver);
-        gather(&mut solver, Part::State, dt, &divergence);
+        gather(&mut solver, STATE, dt).unwrap();
         for (position, &density) in solver.particles.position.iter().zip(&solver.particles.density)
         {
             let cell = (position[0] / spacing).floor();

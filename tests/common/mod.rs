@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "every test file uses its own part")]
 
 pub mod checks;
+pub mod clouds;
 pub mod parts;
 pub mod phases;
 pub mod scenes;

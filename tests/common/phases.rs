@@ -2,10 +2,10 @@
 
 use transpoint::method::{Method, Scheme};
 use transpoint::scene::Scene;
-use transpoint::step::{GridState, Outcome, Pass, StateSource, divergence, grid_to_particles};
+use transpoint::step::Pass;
 use transpoint::stress::{DeviatoricStress, Inviscid};
 use transpoint::variants::StressUpdate;
-use transpoint::{Scalar, Solver, formulation::Formulation};
+use transpoint::{Scalar, Solver, StepError, formulation::Formulation};
 
 /// A method with the standard formulation and the stress updated last.
 pub fn scheme<S, R, Q, X>(
@@ -43,47 +43,26 @@ where
     solver.particles_to_grid(dt);
 }
 
-/// Which part of the nodes → points phase to run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Velocity and affine field.
-    Velocity,
-    /// Density and stress.
-    State,
-    /// Position and cell.
-    Motion,
-}
+/// Velocity and affine field only.
+pub const VELOCITY: Pass = Pass { velocity: true, state: false, motion: false };
+/// Density and stress only.
+pub const STATE: Pass = Pass { velocity: false, state: true, motion: false };
+/// Position and cell only.
+pub const MOTION: Pass = Pass { velocity: false, state: false, motion: true };
 
-/// Nodes → points, one part at a time, from `nodes.velocity` and `nodes.increment`.
+/// Nodes → points, from `nodes.velocity` and `nodes.increment`.
 pub fn gather<T, const D: usize, M, K>(
     solver: &mut Solver<T, D, M, K>,
-    part: Part,
+    pass: Pass,
     dt: T,
-    divergence: &[T],
-) -> Outcome
+) -> Result<(), StepError>
 where
     T: Scalar,
     M: Method<T, D>,
     K: DeviatoricStress<T, D>,
 {
-    let Solver { method, physics, grid, cells, particles, nodes, .. } = solver;
-    let state = GridState {
-        method,
-        physics,
-        grid,
-        cells,
-        rows: &nodes.rows,
-        velocity: &nodes.velocity,
-        increment: &nodes.increment,
-        source: StateSource { velocity: &nodes.velocity, is_end_velocity: true, divergence },
-    };
-    let points = particles.view();
-    let pass = Pass {
-        velocity: part == Part::Velocity,
-        state: part == Part::State,
-        motion: part == Part::Motion,
-    };
-    grid_to_particles(&state, pass, dt, points)
+    solver.strain_from_nodes();
+    solver.grid_to_particles(dt, pass)
 }
 
 /// A row of `nodes.velocity`: a vector, and its last component once more in the last entry.
@@ -128,17 +107,4 @@ where
         }
     }
     (sum, size)
-}
-
-/// Divergence of each active cell from `nodes.velocity`.
-pub fn cell_divergence<T, const D: usize, M, K>(solver: &Solver<T, D, M, K>) -> Vec<T>
-where
-    T: Scalar,
-    M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
-{
-    let Solver { method, grid, cells, nodes, .. } = solver;
-    let mut values = vec![T::zero(); cells.len()];
-    divergence((grid, cells, &method.shape()), &nodes.rows, &nodes.velocity, &mut values);
-    values
 }
