@@ -17,7 +17,7 @@
 //!   brought to the points.
 //!
 //! Quantities are named `quantity@region`. The rows `exact-constant` and `exact-linear` are the
-//! largest errors on a constant and on a linear field, by their decade if they are round-off.
+//! largest errors on a constant and on a linear field where the fit is regular, by their decade if they are round-off.
 
 mod apply;
 mod cloud;
@@ -246,13 +246,17 @@ fn greater(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// Largest error of all samples, derivatives per cell as they are formed; round-off is reported by its decade, as it depends on the machine.
+/// Largest error of all samples, derivatives per cell as they are formed; round-off is reported by
+/// its decade, as it depends on the machine.
+///
+/// Samples whose fit is singular are left out: there the constant basis takes over by definition. They
+/// are counted in `n_singular_fallbacks`.
 fn exactness(quantity: &str, samples: &[Sample], spacing: f64) -> Row {
     let error_of = |sample: &Sample| match sample.quantity {
         "gradient" | "divergence" => sample.error * spacing,
         _ => sample.error,
     };
-    let error = samples.iter().map(error_of).fold(0.0, greater);
+    let error = samples.iter().filter(|sample| !sample.fell_back).map(error_of).fold(0.0, greater);
     let value = if error < 1e-10 { decade_above(error) } else { error };
     Row { quantity: quantity.to_owned(), norm: "max".to_owned(), value, scale: 1.0 }
 }

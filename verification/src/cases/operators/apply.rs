@@ -169,6 +169,7 @@ fn fitted<B: PolynomialBasis<f64, 2>>(
     let cloud = sorted.cloud();
     let values: Vec<f64> = sorted.particles.position.iter().map(|&x| (field.value)(x)).collect();
     let mut nodes = vec![f64::NAN; (n + 1) * (n + 1)];
+    let mut singular = vec![false; nodes.len()];
     for (flat, found) in nodes.iter_mut().enumerate() {
         let node = [flat / (n + 1), flat % (n + 1)];
         let fit = reconstruction.at_node(&cloud, node.map(|i| i as f64), |p| Value(values[p]));
@@ -177,16 +178,19 @@ fn fitted<B: PolynomialBasis<f64, 2>>(
         let exact = (field.value)(node.map(|i| i as f64 / n as f64));
         let sample = Sample::scalar("node", Region::of(node, n), *found, exact);
         samples.push(Sample { fell_back, ..sample });
+        singular[flat] = fell_back;
     }
     for flat in 0..n * n {
         let cell = [flat / n, flat % n];
-        let mut slope = [0.0; 2];
+        let (mut slope, mut fell_back) = ([0.0; 2], false);
         for_each_node::<Linear>(&rows_at_center(&Linear, &sorted.grid, cell), cell, |at, _, g| {
             let value = nodes[at[0] * (n + 1) + at[1]];
+            fell_back |= singular[at[0] * (n + 1) + at[1]];
             slope = [slope[0] + g[0] * value, slope[1] + g[1] * value];
         });
         let exact = (field.gradient)(center(cell, n));
-        samples.push(Sample::vector("gradient", Region::of(cell, n - 1), slope, exact));
+        let sample = Sample::vector("gradient", Region::of(cell, n - 1), slope, exact);
+        samples.push(Sample { fell_back, ..sample });
     }
     samples
 }

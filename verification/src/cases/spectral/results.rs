@@ -55,9 +55,15 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
     for record in records.iter().filter(|record| record.spec.label("default") == "yes") {
         let uniform = record.row("translation", "max").map_or(f64::NAN, |row| row.value);
         check(record, "uniform-velocity", uniform, TRANSLATION);
-        if record.spec.variant == "tpm-vp" {
-            check(record, "growth@0.5", growth(record, 0.5), NEUTRAL);
-            check(record, "doubling@0.5", value(record, "doubling", 0.5), LINEAR);
+        match record.spec.variant.as_str() {
+            // Weakly unstable as printed: reported, with no bound to hold.
+            "tpm" => {}
+            // The vertex mean filters out the cells' checkerboard: growth is linear, not exponential.
+            "tpm-vp" => check(record, "growth@0.5", growth(record, 0.5), DEFECTIVE),
+            _ => {
+                check(record, "growth@0.5", growth(record, 0.5), NEUTRAL);
+                check(record, "doubling@0.5", value(record, "doubling", 0.5), LINEAR);
+            }
         }
     }
     checks
