@@ -4,14 +4,42 @@
 
 pub mod error;
 pub mod scalar;
+
 pub mod scene;
+mod scene_check;
+
+pub mod grid;
+pub mod math;
+pub mod parallel;
+pub mod particles;
+
+pub mod cells;
+pub mod nodes;
 pub mod shape;
+pub mod stencil;
+
+pub mod basis;
+pub mod quadrature;
+pub mod reconstruction;
+pub mod transfer;
+
+pub mod equation_of_state;
+pub mod formulation;
+pub mod stress;
+
+pub mod method;
+pub mod step;
+
+pub mod conservation;
 pub mod simulation;
+pub mod solver;
 pub mod telemetry;
+pub mod time_step;
 pub mod variants;
 
 pub use error::{InvalidInput, StepError};
 pub use scalar::Scalar;
 pub use scene::Scene;
 pub use simulation::{Observation, Simulation};
+pub use solver::Solver;
 pub use variants::{Settings, Variant};

@@ -1,5 +1,7 @@
 //! The floating-point type of a simulation.
 
+#![expect(clippy::inline_always, reason = "conversions of literals must vanish in hot kernels")]
+
 use nalgebra::RealField;
 use num_traits::{FromPrimitive, ToPrimitive};
 
@@ -19,6 +21,9 @@ pub trait Scalar: RealField + FromPrimitive + ToPrimitive + Copy {
 
     /// Converts to `f64` for reports; exact for both `f32` and `f64`.
     fn as_f64(self) -> f64;
+
+    /// Drops the fraction; NaN gives zero and values out of range saturate.
+    fn truncate_to_i64(self) -> i64;
 }
 
 impl Scalar for f32 {
@@ -31,6 +36,11 @@ impl Scalar for f32 {
     fn as_f64(self) -> f64 {
         f64::from(self)
     }
+
+    #[inline(always)]
+    fn truncate_to_i64(self) -> i64 {
+        self as i64
+    }
 }
 
 impl Scalar for f64 {
@@ -42,5 +52,10 @@ impl Scalar for f64 {
     #[inline(always)]
     fn as_f64(self) -> f64 {
         self
+    }
+
+    #[inline(always)]
+    fn truncate_to_i64(self) -> i64 {
+        self as i64
     }
 }

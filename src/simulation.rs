@@ -1,6 +1,12 @@
 //! A running simulation, seen without its type parameters.
 
+use crate::Scalar;
+use crate::cells::ABSENT;
 use crate::error::StepError;
+use crate::method::Method;
+use crate::solver::Solver;
+use crate::step::ParticlesOf;
+use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
 /// State of one point as reported to the outside, in `f64`.
@@ -87,4 +93,56 @@ pub trait Simulation<const D: usize>: Send {
 
     /// Bytes of state that each point carries.
     fn bytes_per_point(&self) -> usize;
+}
+
+impl<T, const D: usize, M, K> Simulation<D> for Solver<T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    fn step(&mut self, dt: f64) -> Result<(), StepError> {
+        self.advance(T::lit(dt))
+    }
+
+    fn stable_dt(&self, courant: f64) -> StableTimeStep {
+        self.stable_time_step(courant)
+    }
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn n_points(&self) -> usize {
+        self.particles.cell.iter().filter(|&&cell| cell != ABSENT).count()
+    }
+
+    fn observe(&self) -> Observation<D> {
+        let p = &self.particles;
+        let mut points: Vec<_> = (0..p.len())
+            .filter(|&k| p.cell[k] != ABSENT)
+            .map(|k| PointState {
+                id: p.id[k],
+                position: p.position[k].map(Scalar::as_f64),
+                velocity: p.velocity[k].map(Scalar::as_f64),
+                density: p.density[k].as_f64(),
+                pressure: self.physics.equation_of_state.pressure(p.density[k]).as_f64(),
+                mass: p.mass[k].as_f64(),
+            })
+            .collect();
+        points.sort_unstable_by_key(|point| point.id);
+        Observation { time: self.time, points }
+    }
+
+    fn conserved(&self) -> Conserved<D> {
+        self.particle_totals()
+    }
+
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn bytes_per_point(&self) -> usize {
+        ParticlesOf::<T, D, M, K>::bytes_per_point()
+    }
 }

@@ -26,6 +26,23 @@ pub struct Counters {
 }
 
 impl Counters {
+    /// Entrywise sum.
+    #[must_use]
+    pub fn sum(self, other: Self) -> Self {
+        Self {
+            n_steps: self.n_steps + other.n_steps,
+            n_point_updates: self.n_point_updates + other.n_point_updates,
+            n_cell_updates: self.n_cell_updates + other.n_cell_updates,
+            n_node_updates: self.n_node_updates + other.n_node_updates,
+            n_samples: self.n_samples + other.n_samples,
+            n_reconstructions: self.n_reconstructions + other.n_reconstructions,
+            n_singular_fallbacks: self.n_singular_fallbacks + other.n_singular_fallbacks,
+            n_positivity_limited: self.n_positivity_limited + other.n_positivity_limited,
+            n_sorts: self.n_sorts + other.n_sorts,
+            n_points_removed: self.n_points_removed + other.n_points_removed,
+        }
+    }
+
     /// Name and value of each counter, in a fixed order.
     pub fn entries(&self) -> [(&'static str, u64); 10] {
         [

@@ -2,9 +2,18 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::basis::{self, PolynomialBasis};
 use crate::error::InvalidInput;
+use crate::formulation::{Formulation, PointDivergence};
+use crate::method::{Method, Scheme};
+use crate::quadrature::{Mixed, Particle};
+use crate::reconstruction::{Carried, MovingLeastSquares};
 use crate::scene::Scene;
+use crate::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
 use crate::simulation::Simulation;
+use crate::solver::Solver;
+use crate::stress::{Inviscid, Newtonian};
+use crate::transfer::{Apic, Flip};
 
 /// Parameters shared by every variant: one policy for all methods, printed with each table.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,6 +43,42 @@ impl Default for Settings {
             gimp_length: 0.5,
             point_volume: PointVolume::Sphere,
         }
+    }
+}
+
+impl Settings {
+    /// Checks every setting against its range.
+    ///
+    /// # Errors
+    /// Names the first setting out of range, its value and what is allowed.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        let (blend, blend_allowed, blend_holds) = match self.blend {
+            Blend::PerStep(share) => {
+                (share, "a FLIP share from 0 to 1", (0.0..=1.0).contains(&share))
+            }
+            Blend::RelaxationTime(tau) => {
+                (tau, "a positive relaxation time in s", tau.is_finite() && tau > 0.0)
+            }
+        };
+        let theta = self.positivity.unwrap_or(0.0);
+        let length = self.gimp_length;
+        let checks = [
+            ("blend", blend, blend_allowed, blend_holds),
+            (
+                "support",
+                self.support,
+                "a half width of 0.75 to 4 cells",
+                (0.75..=4.0).contains(&self.support),
+            ),
+            ("positivity", theta, "0 ≤ θ < 1", (0.0..1.0).contains(&theta)),
+            ("gimp_length", length, "0 < length ≤ 1 cell", length > 0.0 && length <= 1.0),
+        ];
+        for (field, value, allowed, holds) in checks {
+            if !holds {
+                return Err(InvalidInput::new(format!("settings.{field}"), value, allowed));
+            }
+        }
+        Ok(())
     }
 }
 
@@ -145,40 +190,110 @@ impl Variant {
             InvalidInput::new("variant", name, format!("one of {}", allowed.join(", ")))
         })
     }
+}
 
-    /// Builds a 1D simulation in `f64`.
-    ///
-    /// # Errors
-    /// When the scene or a setting is out of range, or the combination is ill-posed.
-    pub fn build_1d(
-        self,
-        _scene: &Scene<1>,
-        _settings: &Settings,
-    ) -> Result<Box<dyn Simulation<1>>, InvalidInput> {
-        Err(InvalidInput::new("variant", self.name(), "under construction"))
+/// Lists, once, which concrete types each variant is.
+macro_rules! build {
+    ($name:ident, $dimension:literal) => {
+        impl Variant {
+            /// Builds a simulation in `f64`.
+            ///
+            /// # Errors
+            /// When the scene or a setting is out of range, or the combination is ill-posed.
+            pub fn $name(
+                self,
+                scene: &Scene<$dimension>,
+                settings: &Settings,
+            ) -> Result<Box<dyn Simulation<$dimension>>, InvalidInput> {
+                settings.check()?;
+                let recipe = Recipe { scene, settings };
+                let vp = Formulation::VelocityPressure;
+                match self {
+                    Self::Tpm => recipe.transport_points(Formulation::Standard),
+                    Self::TpmVp => recipe.transport_points(vp(PointDivergence::Interpolated)),
+                    Self::Mpm => recipe.material_points(Linear, Formulation::Standard),
+                    Self::Gimp => recipe.material_points(
+                        Gimp { length: settings.gimp_length },
+                        Formulation::Standard,
+                    ),
+                    Self::Bspline2 => {
+                        recipe.material_points(QuadraticBspline, Formulation::Standard)
+                    }
+                    Self::Bspline3 => recipe.material_points(CubicBspline, Formulation::Standard),
+                    Self::Apic => recipe.affine(QuadraticBspline),
+                    Self::MpmVp => recipe.material_points(Linear, vp(PointDivergence::Constant)),
+                }
+            }
+        }
+    };
+}
+
+build!(build_1d, 1);
+build!(build_2d, 2);
+build!(build_3d, 3);
+
+/// What a simulation is built from.
+struct Recipe<'a, const D: usize> {
+    scene: &'a Scene<D>,
+    settings: &'a Settings,
+}
+
+type Built<const D: usize> = Result<Box<dyn Simulation<D>>, InvalidInput>;
+
+impl<const D: usize> Recipe<'_, D>
+where
+    basis::Linear: PolynomialBasis<f64, D>,
+{
+    fn transport_points(&self, formulation: Formulation) -> Built<D> {
+        let mut reconstruction =
+            MovingLeastSquares::<basis::Linear, f64>::new(self.settings.support);
+        reconstruction.positivity = self.settings.positivity;
+        self.build(Scheme {
+            shape: Linear,
+            reconstruction,
+            quadrature: Mixed { point_volume: self.settings.point_volume },
+            transfer: Flip { blend: self.settings.blend },
+            formulation,
+            stress_update: self.settings.stress_update,
+        })
     }
 
-    /// Builds a 2D simulation in `f64`.
-    ///
-    /// # Errors
-    /// As [`Variant::build_1d`].
-    pub fn build_2d(
-        self,
-        _scene: &Scene<2>,
-        _settings: &Settings,
-    ) -> Result<Box<dyn Simulation<2>>, InvalidInput> {
-        Err(InvalidInput::new("variant", self.name(), "under construction"))
+    fn material_points(
+        &self,
+        shape: impl ShapeFunction<f64> + 'static,
+        formulation: Formulation,
+    ) -> Built<D> {
+        self.build(Scheme {
+            shape,
+            reconstruction: Carried,
+            quadrature: Particle,
+            transfer: Flip { blend: self.settings.blend },
+            formulation,
+            stress_update: self.settings.stress_update,
+        })
     }
 
-    /// Builds a 3D simulation in `f64`.
-    ///
-    /// # Errors
-    /// As [`Variant::build_1d`].
-    pub fn build_3d(
-        self,
-        _scene: &Scene<3>,
-        _settings: &Settings,
-    ) -> Result<Box<dyn Simulation<3>>, InvalidInput> {
-        Err(InvalidInput::new("variant", self.name(), "under construction"))
+    fn affine(&self, shape: impl ShapeFunction<f64> + 'static) -> Built<D> {
+        self.build(Scheme {
+            shape,
+            reconstruction: Carried,
+            quadrature: Particle,
+            transfer: Apic,
+            formulation: Formulation::Standard,
+            stress_update: self.settings.stress_update,
+        })
+    }
+
+    fn build(&self, method: impl Method<f64, D>) -> Built<D> {
+        Ok(match self.scene.viscosity {
+            None => Box::new(Solver::new(self.scene, method, Inviscid)?),
+            Some(viscosity) if viscosity.is_finite() && viscosity > 0.0 => {
+                Box::new(Solver::new(self.scene, method, Newtonian { viscosity })?)
+            }
+            Some(viscosity) => {
+                let allowed = "a positive number in m²/s, or absent for an inviscid fluid";
+                return Err(InvalidInput::new("viscosity", viscosity, allowed));
+            }
+        })
     }
 }

@@ -1,5 +1,18 @@
 //! Grid shape functions: one-dimensional rows whose tensor product gives the weights of a point.
 
+#![expect(
+    clippy::inline_always,
+    reason = "rows are evaluated per point and step in the hot kernels"
+)]
+
+mod bspline;
+mod gimp;
+mod linear;
+
+pub use bspline::{CubicBspline, QuadraticBspline};
+pub use gimp::Gimp;
+pub use linear::Linear;
+
 use crate::Scalar;
 
 /// Most functions of one axis that are non-zero at a point (cubic B-spline).
@@ -37,10 +50,10 @@ pub struct Row<T> {
 
 /// A family of grid shape functions, evaluated one axis at a time.
 ///
-/// Every family keeps partition of unity, Σ N = 1, and linear reproduction, Σ N_i x_i = x, in every
-/// cell, also next to walls, with the node coordinates of [`ShapeFunction::node_coordinate`]. The
-/// first (last) function alone is non-zero on the lower (upper) wall, so that a velocity prescribed
-/// on the wall's nodes is met exactly on the wall.
+/// Every family keeps partition of unity, Σ N = 1, and linear reproduction, `Σ N_i x_i = x`, in
+/// every cell, also next to walls, with the node coordinates of [`ShapeFunction::node_coordinate`].
+/// The first (last) function alone is non-zero on the lower (upper) wall, so that a velocity
+/// prescribed on the wall's nodes is met exactly on the wall; ghost nodes of a wall are skipped.
 ///
 /// An axis of `n` cells stores `n + EXTRA` nodes. The points of cell `c` touch nodes
 /// `c .. c + REACH` only. On a periodic axis node `n + k` is the image of node `k`.

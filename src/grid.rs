@@ -1,0 +1,214 @@
+//! The background grid: a box of equal cells, row-major with the last axis contiguous.
+
+use crate::error::InvalidInput;
+use crate::scene::{Boundary, GridSpec};
+use crate::{Scalar, shape::AxisPosition};
+
+/// Geometry and numbering of cells and nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid<T, const D: usize> {
+    /// Lower corner, m.
+    pub origin: [T; D],
+    /// Cell size, m.
+    pub spacing: [T; D],
+    /// 1 / spacing, 1/m.
+    pub inverse_spacing: [T; D],
+    /// Cells per axis.
+    pub n_cells: [usize; D],
+    /// Nodes stored per axis minus cells (a property of the shape function).
+    pub extra: usize,
+    /// Axes whose two faces are joined.
+    pub periodic: [bool; D],
+}
+
+impl<T: Scalar, const D: usize> Grid<T, D> {
+    /// Checks and converts the grid of a scene.
+    ///
+    /// # Errors
+    /// When a size is not positive and finite, an axis has no cells, faces are not paired, a periodic
+    /// axis has fewer cells than the shape function needs, or cells or nodes cannot be numbered by `u32`.
+    pub fn new(
+        spec: &GridSpec<D>,
+        boundaries: &[[Boundary; 2]; D],
+        extra: usize,
+    ) -> Result<Self, InvalidInput> {
+        let mut n_nodes = 1_u128;
+        for axis in 0..D {
+            check_axis(spec, boundaries[axis], extra, axis)?;
+            n_nodes *= (spec.cells[axis] + extra) as u128;
+        }
+        if n_nodes >= u128::from(u32::MAX) {
+            return Err(InvalidInput::new(
+                "grid.cells",
+                format!("{:?}", spec.cells),
+                "fewer than 2³² nodes",
+            ));
+        }
+        Ok(Self {
+            origin: spec.origin.map(T::lit),
+            spacing: spec.spacing.map(T::lit),
+            inverse_spacing: spec.spacing.map(|h| T::lit(1.0 / h)),
+            n_cells: spec.cells,
+            extra,
+            periodic: boundaries.map(|faces| faces[0] == Boundary::Periodic),
+        })
+    }
+
+    /// Volume of a cell, m³ (m² in 2D, m in 1D).
+    pub fn cell_volume(&self) -> T {
+        self.spacing.iter().fold(T::one(), |volume, &h| volume * h)
+    }
+
+    /// Number of cells.
+    pub fn total_cells(&self) -> usize {
+        self.n_cells.iter().product()
+    }
+
+    /// Nodes stored along an axis.
+    pub fn n_nodes(&self, axis: usize) -> usize {
+        self.n_cells[axis] + self.extra
+    }
+
+    /// Number of nodes stored by a dense numbering.
+    pub fn total_nodes(&self) -> usize {
+        (0..D).map(|axis| self.n_nodes(axis)).product()
+    }
+
+    /// Position along an axis in cells from the lower face.
+    #[inline(always)]
+    pub fn in_cells(&self, position: [T; D], axis: usize) -> T {
+        (position[axis] - self.origin[axis]) * self.inverse_spacing[axis]
+    }
+
+    /// Cell that holds a position, or `None` outside the box (or not a number).
+    ///
+    /// The upper face belongs to the last cell.
+    #[inline(always)]
+    pub fn cell_of(&self, position: [T; D]) -> Option<u32> {
+        let mut index = 0;
+        for axis in 0..D {
+            let s = self.in_cells(position, axis);
+            let n = self.n_cells[axis];
+            let cell = s.truncate_to_i64();
+            if !(s >= T::zero()) || cell > n as i64 {
+                return None;
+            }
+            let cell = cell as usize;
+            if cell == n && s > T::lit(n as f64) {
+                return None;
+            }
+            index = index * n + cell.min(n - 1);
+        }
+        Some(index as u32)
+    }
+
+    /// Index of a cell along each axis.
+    #[inline(always)]
+    pub fn cell_coordinates(&self, cell: u32) -> [usize; D] {
+        unravel(cell as usize, |axis| self.n_cells[axis])
+    }
+
+    /// Index of a node along each axis.
+    #[inline(always)]
+    pub fn node_coordinates(&self, node: u32) -> [usize; D] {
+        unravel(node as usize, |axis| self.n_nodes(axis))
+    }
+
+    /// Dense number of the cell at a shift from another, wrapped on periodic axes; `None` outside.
+    #[inline(always)]
+    pub fn neighbor(&self, cell: [usize; D], shift: [i32; D]) -> Option<usize> {
+        let mut index = 0;
+        for axis in 0..D {
+            let n = self.n_cells[axis] as i64;
+            let mut at = cell[axis] as i64 + i64::from(shift[axis]);
+            if at < 0 || at >= n {
+                if !self.periodic[axis] {
+                    return None;
+                }
+                at = at.rem_euclid(n);
+            }
+            index = index * n as usize + at as usize;
+        }
+        Some(index)
+    }
+
+    /// Dense number of the first node that the points of a cell can touch.
+    #[inline(always)]
+    pub fn first_node(&self, cell: [usize; D]) -> usize {
+        let mut index = 0;
+        for axis in 0..D {
+            index = index * self.n_nodes(axis) + cell[axis];
+        }
+        index
+    }
+
+    /// Where a point of a known cell sits along an axis.
+    #[inline(always)]
+    pub fn axis_position(
+        &self,
+        position: [T; D],
+        cell: [usize; D],
+        axis: usize,
+    ) -> AxisPosition<T> {
+        AxisPosition {
+            cell: cell[axis],
+            xi: self.in_cells(position, axis) - T::lit(cell[axis] as f64),
+            n_cells: self.n_cells[axis],
+            periodic: self.periodic[axis],
+        }
+    }
+}
+
+#[inline(always)]
+fn unravel<const D: usize>(index: usize, size: impl Fn(usize) -> usize) -> [usize; D] {
+    let mut rest = index;
+    let mut at = [0; D];
+    for axis in (0..D).rev() {
+        let n = size(axis);
+        at[axis] = rest % n;
+        rest /= n;
+    }
+    at
+}
+
+fn check_axis<const D: usize>(
+    spec: &GridSpec<D>,
+    faces: [Boundary; 2],
+    extra: usize,
+    axis: usize,
+) -> Result<(), InvalidInput> {
+    let spacing = spec.spacing[axis];
+    if !(spacing.is_finite() && spacing > 0.0) {
+        let field = format!("grid.spacing[{axis}]");
+        return Err(InvalidInput::new(field, spacing, "a positive length in m"));
+    }
+    if !spec.origin[axis].is_finite() {
+        let field = format!("grid.origin[{axis}]");
+        return Err(InvalidInput::new(field, spec.origin[axis], "a finite coordinate in m"));
+    }
+    let cells = spec.cells[axis];
+    if cells == 0 || cells > u32::MAX as usize {
+        return Err(InvalidInput::new(format!("grid.cells[{axis}]"), cells, "1 to 2³² − 1 cells"));
+    }
+    if (faces[0] == Boundary::Periodic) != (faces[1] == Boundary::Periodic) {
+        let field = format!("boundaries[{axis}]");
+        return Err(InvalidInput::new(
+            field,
+            format!("{faces:?}"),
+            "periodic on both faces or on none",
+        ));
+    }
+    if faces[0] == Boundary::Periodic && cells < extra.max(2) {
+        let allowed = format!("at least {} cells on a periodic axis", extra.max(2));
+        return Err(InvalidInput::new(format!("grid.cells[{axis}]"), cells, allowed));
+    }
+    for face in faces {
+        if let Boundary::Velocity(v) = face
+            && v.iter().any(|c| !c.is_finite())
+        {
+            let field = format!("boundaries[{axis}]");
+            return Err(InvalidInput::new(field, format!("{v:?}"), "finite velocities in m/s"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,91 @@
+//! Deterministic data parallelism: fixed blocks, disjoint mutable views, no atomics.
+//!
+//! Work is cut at places that depend on the data alone. Every task owns the part of the output that
+//! it writes, so results are the same bits on any number of threads.
+
+/// Mutable data that can be cut in two.
+pub trait Split: Send + Sized {
+    /// Cuts before element `mid`.
+    fn split(self, mid: usize) -> (Self, Self);
+}
+
+impl<A: Send> Split for &mut [A] {
+    fn split(self, mid: usize) -> (Self, Self) {
+        self.split_at_mut(mid)
+    }
+}
+
+impl Split for () {
+    fn split(self, _mid: usize) -> (Self, Self) {
+        ((), ())
+    }
+}
+
+impl<A: Split, B: Split> Split for (A, B) {
+    fn split(self, mid: usize) -> (Self, Self) {
+        let (a, a_rest) = self.0.split(mid);
+        let (b, b_rest) = self.1.split(mid);
+        ((a, b), (a_rest, b_rest))
+    }
+}
+
+/// Runs `work(unit range, its part of data)` over `0..n_units` in blocks of at most `grain` units.
+///
+/// `cut(u)` is the element of `data` at which unit `u` starts. Results are combined in the order of
+/// units, so `combine` needs to be associative only.
+pub fn fold_blocks<V, R, W, C, G>(
+    n_units: usize,
+    grain: usize,
+    data: V,
+    cut: &C,
+    work: &W,
+    combine: &G,
+) -> R
+where
+    V: Split,
+    R: Send,
+    C: Fn(usize) -> usize + Sync,
+    W: Fn(std::ops::Range<usize>, V) -> R + Sync,
+    G: Fn(R, R) -> R + Sync,
+{
+    if rayon::current_num_threads() == 1 {
+        return work(0..n_units, data);
+    }
+    recurse(0..n_units, grain.max(1), data, cut, work, combine)
+}
+
+fn recurse<V, R, W, C, G>(
+    units: std::ops::Range<usize>,
+    grain: usize,
+    data: V,
+    cut: &C,
+    work: &W,
+    combine: &G,
+) -> R
+where
+    V: Split,
+    R: Send,
+    C: Fn(usize) -> usize + Sync,
+    W: Fn(std::ops::Range<usize>, V) -> R + Sync,
+    G: Fn(R, R) -> R + Sync,
+{
+    if units.len() <= grain {
+        return work(units, data);
+    }
+    let mid = units.start + units.len() / 2;
+    let (left, right) = data.split(cut(mid) - cut(units.start));
+    let (a, b) = rayon::join(
+        || recurse(units.start..mid, grain, left, cut, work, combine),
+        || recurse(mid..units.end, grain, right, cut, work, combine),
+    );
+    combine(a, b)
+}
+
+/// [`fold_blocks`] without a result, one element of `data` per unit.
+pub fn for_each_block<V, W>(n_units: usize, grain: usize, data: V, work: &W)
+where
+    V: Split,
+    W: Fn(std::ops::Range<usize>, V) + Sync,
+{
+    fold_blocks(n_units, grain, data, &|unit| unit, work, &|(), ()| ());
+}

@@ -1,0 +1,167 @@
+//! The points: a structure of arrays kept in cell order.
+
+use crate::Scalar;
+use crate::math::Field;
+use crate::parallel::{Split, for_each_block};
+
+/// Points per task when arrays are permuted or totals are formed.
+pub const POINT_GRAIN: usize = 4096;
+
+/// State of all points; `A` is the affine velocity field and `S` the stress, both `()` when absent.
+///
+/// All arrays have the same length. An absent ingredient is an array of `()`, which takes no memory.
+#[derive(Clone, Debug)]
+pub struct Particles<T, const D: usize, A, S> {
+    /// Identifier given at creation.
+    pub id: Vec<u32>,
+    /// Dense number of the cell that holds the point.
+    pub cell: Vec<u32>,
+    /// Position, m.
+    pub position: Vec<[T; D]>,
+    /// Velocity, m/s.
+    pub velocity: Vec<[T; D]>,
+    /// Density, kg/m³.
+    pub density: Vec<T>,
+    /// Mass, kg; nominal for methods whose points carry none.
+    pub mass: Vec<T>,
+    /// Affine velocity field, 1/s.
+    pub affine: Vec<A>,
+    /// Deviatoric Cauchy stress, Pa, tension positive.
+    pub stress: Vec<S>,
+}
+
+impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
+    fn default() -> Self {
+        Self {
+            id: Vec::new(),
+            cell: Vec::new(),
+            position: Vec::new(),
+            velocity: Vec::new(),
+            density: Vec::new(),
+            mass: Vec::new(),
+            affine: Vec::new(),
+            stress: Vec::new(),
+        }
+    }
+}
+
+impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> {
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.id.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.id.is_empty()
+    }
+
+    /// Appends a point at rest relative to its affine field.
+    pub fn push(&mut self, id: u32, position: [T; D], velocity: [T; D], density: T, mass: T) {
+        self.id.push(id);
+        self.cell.push(0);
+        self.position.push(position);
+        self.velocity.push(velocity);
+        self.density.push(density);
+        self.mass.push(mass);
+        self.affine.push(A::default());
+        self.stress.push(S::default());
+    }
+
+    /// Bytes that one point takes.
+    pub fn bytes_per_point() -> usize {
+        2 * size_of::<u32>()
+            + 2 * size_of::<[T; D]>()
+            + 2 * size_of::<T>()
+            + size_of::<A>()
+            + size_of::<S>()
+    }
+
+    /// Becomes the points of `source` named by `order`, in that order.
+    ///
+    /// No memory is allocated once the arrays have held this many points.
+    pub fn gather_from(&mut self, source: &Self, order: &[u32]) {
+        permute(&mut self.id, &source.id, order);
+        permute(&mut self.cell, &source.cell, order);
+        permute(&mut self.position, &source.position, order);
+        permute(&mut self.velocity, &source.velocity, order);
+        permute(&mut self.density, &source.density, order);
+        permute(&mut self.mass, &source.mass, order);
+        permute(&mut self.affine, &source.affine, order);
+        permute(&mut self.stress, &source.stress, order);
+    }
+
+    /// All fields that a step changes, as one view that can be cut at a point.
+    pub fn view(&mut self) -> ParticlesMut<'_, T, D, A, S> {
+        ParticlesMut {
+            cell: &mut self.cell,
+            position: &mut self.position,
+            velocity: &mut self.velocity,
+            density: &mut self.density,
+            affine: &mut self.affine,
+            stress: &mut self.stress,
+            id: &self.id,
+        }
+    }
+}
+
+fn permute<A: Copy + Send + Sync>(target: &mut Vec<A>, source: &[A], order: &[u32]) {
+    let Some(&any) = source.first() else {
+        target.clear();
+        return;
+    };
+    target.resize(order.len(), any);
+    if size_of::<A>() == 0 {
+        return;
+    }
+    for_each_block(order.len(), POINT_GRAIN, target.as_mut_slice(), &|range, part: &mut [A]| {
+        for (to, &from) in part.iter_mut().zip(&order[range]) {
+            *to = source[from as usize];
+        }
+    });
+}
+
+/// The changing fields of consecutive points.
+#[derive(Debug)]
+pub struct ParticlesMut<'a, T, const D: usize, A, S> {
+    /// Cell of each point.
+    pub cell: &'a mut [u32],
+    /// Position, m.
+    pub position: &'a mut [[T; D]],
+    /// Velocity, m/s.
+    pub velocity: &'a mut [[T; D]],
+    /// Density, kg/m³.
+    pub density: &'a mut [T],
+    /// Affine velocity field, 1/s.
+    pub affine: &'a mut [A],
+    /// Deviatoric stress, Pa.
+    pub stress: &'a mut [S],
+    /// Identifiers.
+    pub id: &'a [u32],
+}
+
+impl<T: Send + Sync, const D: usize, A: Send + Sync, S: Send + Sync> Split
+    for ParticlesMut<'_, T, D, A, S>
+{
+    fn split(self, mid: usize) -> (Self, Self) {
+        let (cell, cell_rest) = self.cell.split_at_mut(mid);
+        let (position, position_rest) = self.position.split_at_mut(mid);
+        let (velocity, velocity_rest) = self.velocity.split_at_mut(mid);
+        let (density, density_rest) = self.density.split_at_mut(mid);
+        let (affine, affine_rest) = self.affine.split_at_mut(mid);
+        let (stress, stress_rest) = self.stress.split_at_mut(mid);
+        let (id, id_rest) = self.id.split_at(mid);
+        (
+            Self { cell, position, velocity, density, affine, stress, id },
+            Self {
+                cell: cell_rest,
+                position: position_rest,
+                velocity: velocity_rest,
+                density: density_rest,
+                affine: affine_rest,
+                stress: stress_rest,
+                id: id_rest,
+            },
+        )
+    }
+}

@@ -1,0 +1,124 @@
+//! Mixed quadrature: Gauss points in internal cells, the points themselves in boundary cells.
+
+use super::{PointVolumes, Quadrature, Samples};
+use crate::Scalar;
+use crate::cells::{ABSENT, CellKind, Cells};
+use crate::grid::Grid;
+use crate::reconstruction::{Cloud, Neighborhood};
+use crate::variants::PointVolume;
+
+/// Gauss quadrature in internal cells and point quadrature in boundary cells,
+/// Eqs. (25)-(27) of \[Song2020\].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mixed {
+    /// Volume of the points of boundary cells.
+    pub point_volume: PointVolume,
+}
+
+impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
+    const USES_CENTERS: bool = true;
+    const CLASSIFIES: bool = true;
+
+    #[inline(always)]
+    fn samples(&self, kind: CellKind) -> Samples {
+        match kind {
+            CellKind::Internal => Samples::Center,
+            CellKind::Boundary => Samples::Points,
+        }
+    }
+
+    fn point_volumes<'a>(&self, cloud: &'a Cloud<'a, T, D>, slot: usize) -> PointVolumes<'a, T, D> {
+        let points = cloud.cells.points(slot);
+        let cell_volume = cloud.grid.cell_volume();
+        match self.point_volume {
+            PointVolume::Sphere => {
+                let cell = cloud.grid.cell_coordinates(cloud.cells.index[slot]);
+                PointVolumes::Sphere(cloud, cell)
+            }
+            PointVolume::CarriedCapped => {
+                PointVolumes::Capped(cell_volume / T::lit(points.len() as f64))
+            }
+            PointVolume::VolumeFraction => {
+                let carried =
+                    points.fold(T::zero(), |sum, p| sum + cloud.mass[p] / cloud.density[p]);
+                PointVolumes::Scaled((cell_volume / carried).min(T::one()))
+            }
+        }
+    }
+}
+
+/// Volume of the circle (2D), sphere (3D) or interval (1D) around a point that touches the one
+/// around its nearest neighbour, Eqs. (26)-(27) of \[Song2020\].
+///
+/// The search ends at the neighbouring cells; a point alone there gets the radius of half a cell.
+pub(super) fn sphere_volume<T: Scalar, const D: usize>(
+    cloud: &Cloud<'_, T, D>,
+    cell: [usize; D],
+    point: usize,
+) -> T {
+    let spacing = cloud.grid.spacing;
+    let widest = spacing.iter().fold(spacing[0], |least, &h| least.min(h));
+    let position = cloud.position[point];
+    let target = std::array::from_fn(|axis| cloud.grid.in_cells(position, axis));
+    let mut neighborhood =
+        Neighborhood { first: cell.map(|c| c as i64 - 1), end: cell.map(|c| c as i64 + 2) };
+    for axis in 0..D {
+        if !cloud.grid.periodic[axis] {
+            neighborhood.first[axis] = neighborhood.first[axis].max(0);
+            neighborhood.end[axis] = neighborhood.end[axis].min(cloud.grid.n_cells[axis] as i64);
+        }
+    }
+    let mut nearest = widest * widest;
+    cloud.visit(neighborhood, target, |other, offset| {
+        if other != point {
+            let mut distance = T::zero();
+            for axis in 0..D {
+                let along = offset[axis] * spacing[axis];
+                distance += along * along;
+            }
+            nearest = nearest.min(distance);
+        }
+    });
+    let diameter = nearest.sqrt();
+    match D {
+        1 => diameter,
+        2 => T::frac_pi_4() * diameter * diameter,
+        _ => T::frac_pi_6() * diameter * diameter * diameter,
+    }
+}
+
+/// Tells boundary cells from internal ones: a boundary cell has an empty cell among its neighbours.
+///
+/// Diagonal neighbours count (8 in 2D, 26 in 3D). What lies outside the box is not an empty cell.
+/// A cell is near the surface when it or a neighbour is a boundary cell.
+pub fn classify<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
+    for slot in 0..cells.len() {
+        let cell = grid.cell_coordinates(cells.index[slot]);
+        let empty = any_neighbor(grid, cell, |found| cells.slot_of[found] == ABSENT);
+        cells.kind[slot] = if empty { CellKind::Boundary } else { CellKind::Internal };
+    }
+    for slot in 0..cells.len() {
+        let cell = grid.cell_coordinates(cells.index[slot]);
+        cells.near_surface[slot] = any_neighbor(grid, cell, |found| {
+            let neighbor = cells.slot_of[found];
+            neighbor == ABSENT || cells.kind[neighbor as usize] == CellKind::Boundary
+        });
+    }
+}
+
+/// Whether a cell or one of its neighbours within the box meets a condition.
+fn any_neighbor<T: Scalar, const D: usize>(
+    grid: &Grid<T, D>,
+    cell: [usize; D],
+    condition: impl Fn(usize) -> bool,
+) -> bool {
+    (0..3_usize.pow(D as u32)).any(|code| {
+        let mut rest = code;
+        let shift = std::array::from_fn(|_| {
+            let step = (rest % 3) as i32 - 1;
+            rest /= 3;
+            step
+        });
+        grid.neighbor(cell, shift).is_some_and(&condition)
+    })
+}

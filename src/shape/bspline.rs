@@ -1,0 +1,161 @@
+//! Quadratic and cubic B-splines with knots on the cell faces, open (repeated) at walls.
+
+use super::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
+use crate::Scalar;
+
+/// Quadratic B-splines, \[Steffen2008\]: `n + 2` functions on `n` cells.
+///
+/// ```text
+/// N = ½ (1 − ξ)²,  ½ + ξ − ξ²,  ½ ξ²       in cells that do not touch a wall
+/// ```
+///
+/// At walls the knots are repeated, which doubles the outer function: the first function of the
+/// first cell is (1 − ξ)². Weights lie in `[0, 1]`; first derivatives are continuous.
+///
+/// ```
+/// use transpoint::shape::{AxisPosition, QuadraticBspline, ShapeFunction};
+/// let row = QuadraticBspline.row(AxisPosition { cell: 3, xi: 0.5, n_cells: 8, periodic: false });
+/// assert_eq!(row.weight[..3], [0.125, 0.75, 0.125]);
+/// assert_eq!(row.gradient[..3], [-0.5, 0.0, 0.5]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct QuadraticBspline;
+
+impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
+    const WIDTH: usize = 3;
+    const REACH: usize = 3;
+
+    /// Cox-de Boor recursion written out; a wall only changes the knot spans, 2 to 1 cells.
+    #[inline(always)]
+    fn row(&self, at: AxisPosition<T>) -> Row<T> {
+        let (zero, one, half, two) = (T::zero(), T::one(), T::lit(0.5), T::lit(2.0));
+        let at_lower_wall = !at.periodic && at.cell == 0;
+        let at_upper_wall = !at.periodic && at.cell + 1 == at.n_cells;
+        let (before, per_lower_span) = if at_lower_wall { (zero, one) } else { (one, half) };
+        let (after, per_upper_span) = if at_upper_wall { (one, one) } else { (two, half) };
+
+        let (left, right) = (per_lower_span * (one - at.xi), per_upper_span * at.xi);
+        Row {
+            first: 0,
+            weight: [
+                left * (one - at.xi),
+                left * (at.xi + before) + right * (after - at.xi),
+                right * at.xi,
+                zero,
+            ],
+            gradient: [-two * left, two * (left - right), two * right, zero],
+        }
+    }
+
+    #[inline(always)]
+    fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T {
+        if periodic {
+            return T::lit(index as f64 - 0.5);
+        }
+        let knots = clamped_knot(index, 1, n_cells) + clamped_knot(index, 0, n_cells);
+        T::lit(knots as f64 / 2.0)
+    }
+}
+
+/// Cubic B-splines, \[Steffen2008\]: `n + 3` functions on `n` cells.
+///
+/// ```text
+/// N = (1 − ξ)³/6,  2/3 − ξ² + ξ³/2,  2/3 − (1 − ξ)² + (1 − ξ)³/2,  ξ³/6
+/// ```
+///
+/// in cells at least two away from a wall; near walls the knots are repeated. Weights lie in `[0, 1]`;
+/// second derivatives are continuous.
+///
+/// ```
+/// use transpoint::shape::{AxisPosition, CubicBspline, ShapeFunction};
+/// let row = CubicBspline.row(AxisPosition { cell: 3, xi: 0.0, n_cells: 8, periodic: false });
+/// let expected: [f64; 4] = [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0, 0.0];
+/// assert!(row.weight.iter().zip(expected).all(|(found, exact)| (found - exact).abs() < 1e-15));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CubicBspline;
+
+impl<T: Scalar> ShapeFunction<T> for CubicBspline {
+    const WIDTH: usize = 4;
+    const REACH: usize = 4;
+
+    #[inline(always)]
+    fn row(&self, at: AxisPosition<T>) -> Row<T> {
+        if at.periodic || (at.cell >= 2 && at.cell + 3 <= at.n_cells) {
+            uniform_cubic(at.xi)
+        } else {
+            clamped_cubic(at)
+        }
+    }
+
+    #[inline(always)]
+    fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T {
+        if periodic {
+            return T::lit(index as f64 - 1.0);
+        }
+        let knots: usize = (0..3).map(|back| clamped_knot(index, back, n_cells)).sum();
+        T::lit(knots as f64 / 3.0)
+    }
+}
+
+/// Knot `index − back`, kept within the axis, in cells.
+#[inline(always)]
+fn clamped_knot(index: usize, back: usize, n_cells: usize) -> usize {
+    index.saturating_sub(back).min(n_cells)
+}
+
+#[inline(always)]
+fn uniform_cubic<T: Scalar>(xi: T) -> Row<T> {
+    let (half, two) = (T::lit(0.5), T::lit(2.0));
+    let (sixth, two_thirds, three_halves) = (T::lit(1.0 / 6.0), T::lit(2.0 / 3.0), T::lit(1.5));
+    let eta = T::one() - xi;
+    let (xi_2, eta_2) = (xi * xi, eta * eta);
+    Row {
+        first: 0,
+        weight: [
+            sixth * eta_2 * eta,
+            two_thirds - xi_2 * (T::one() - half * xi),
+            two_thirds - eta_2 * (T::one() - half * eta),
+            sixth * xi_2 * xi,
+        ],
+        gradient: [
+            -half * eta_2,
+            xi * (three_halves * xi - two),
+            -eta * (three_halves * eta - two),
+            half * xi_2,
+        ],
+    }
+}
+
+/// Cox-de Boor recursion on the open knot vector.
+///
+/// ```text
+/// N_r^k = (x − t_r)/(t_{r+k} − t_r) N_r^{k−1} + (t_{r+k+1} − x)/(t_{r+k+1} − t_{r+1}) N_{r+1}^{k−1}
+/// ```
+///
+/// The span of a cell's functions always contains the cell, so no divisor is below one cell.
+#[inline]
+fn clamped_cubic<T: Scalar>(at: AxisPosition<T>) -> Row<T> {
+    const DEGREE: usize = MAX_WIDTH - 1;
+    let from_below = |k: usize| at.xi + T::lit(k.min(at.cell) as f64);
+    let to_above = |k: usize| T::lit((k + 1).min(at.n_cells - at.cell) as f64) - at.xi;
+
+    let mut weight = [T::one(), T::zero(), T::zero(), T::zero()];
+    let mut gradient = [T::zero(); MAX_WIDTH];
+    for degree in 1..=DEGREE {
+        let mut carried = T::zero();
+        let mut carried_slope = T::zero();
+        for r in 0..degree {
+            let (above, below) = (to_above(r), from_below(degree - 1 - r));
+            let share = weight[r] / (above + below);
+            weight[r] = carried + above * share;
+            carried = below * share;
+            let slope = T::lit(degree as f64) * share;
+            gradient[r] = carried_slope - slope;
+            carried_slope = slope;
+        }
+        weight[degree] = carried;
+        gradient[degree] = carried_slope;
+    }
+    Row { first: 0, weight, gradient }
+}

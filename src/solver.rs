@@ -1,0 +1,284 @@
+//! The solver: a method on a scene, one step at a time.
+
+use crate::Scalar;
+use crate::cells::{ABSENT, Binned, Cells};
+use crate::equation_of_state::EquationOfState;
+use crate::error::{InvalidInput, StepError};
+use crate::formulation::Formulation;
+use crate::grid::Grid;
+use crate::method::Method;
+use crate::nodes::Nodes;
+use crate::particles::Particles;
+use crate::quadrature::{Quadrature, classify};
+use crate::scene::Scene;
+use crate::scene_check::check_points;
+use crate::shape::ShapeFunction;
+use crate::step::{
+    AffineOf, Center, Failure, GridState, ParticlesOf, Physics, ScatterParts, StateSource,
+    StressOf, View, constrain, divergence, grid_to_particles, node_velocity, particles_to_grid,
+    rebuild_centers, update_grid,
+};
+use crate::stress::DeviatoricStress;
+use crate::telemetry::Counters;
+use crate::variants::StressUpdate;
+
+/// A simulation with all its types known.
+#[derive(Clone, Debug)]
+pub struct Solver<T, const D: usize, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    /// The recipe.
+    pub method: M,
+    /// What the scene prescribes.
+    pub physics: Physics<T, D, K>,
+    /// The background grid.
+    pub grid: Grid<T, D>,
+    /// The points, sorted by cell at the start of each step.
+    pub particles: ParticlesOf<T, D, M, K>,
+    /// Cells that hold points.
+    pub cells: Cells,
+    /// Nodes that the points touch.
+    pub nodes: Nodes<T>,
+    /// Fields of the active cells, where the method uses them.
+    pub centers: Vec<Center<T, StressOf<T, D, K>>>,
+    /// Work and events since the start.
+    pub counters: Counters,
+    /// Time, s.
+    pub time: f64,
+    spare: Particles<T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+    divergence: Vec<T>,
+}
+
+impl<T, const D: usize, M, K> Solver<T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    /// Sets up a method on a scene.
+    ///
+    /// # Errors
+    /// When the grid, the boundaries, the pressure law or a point is out of range.
+    pub fn new(scene: &Scene<D>, method: M, stress: K) -> Result<Self, InvalidInput> {
+        let grid = Grid::new(&scene.grid, &scene.boundaries, M::Shape::EXTRA)?;
+        let equation_of_state = EquationOfState::new(&scene.equation_of_state)?;
+        let mut particles = ParticlesOf::<T, D, M, K>::default();
+        check_points(scene, &grid)?;
+        for (id, point) in scene.points.iter().enumerate() {
+            let position = point.position.map(T::lit);
+            let velocity = point.velocity.map(T::lit);
+            particles.push(
+                id as u32,
+                position,
+                velocity,
+                T::lit(point.density),
+                T::lit(point.mass),
+            );
+            particles.cell[id] = grid.cell_of(position).unwrap_or(ABSENT);
+        }
+        let physics = Physics {
+            equation_of_state,
+            stress,
+            body_force: scene.body_force.map(T::lit),
+            boundaries: scene.boundaries,
+        };
+        let mut solver = Self {
+            method,
+            physics,
+            cells: Cells::new(&grid),
+            nodes: Nodes::new(&grid),
+            grid,
+            particles,
+            centers: Vec::new(),
+            counters: Counters::default(),
+            time: 0.0,
+            spare: Particles::default(),
+            divergence: Vec::new(),
+        };
+        solver.bin_particles();
+        Ok(solver)
+    }
+
+    /// Advances by `dt` seconds.
+    ///
+    /// # Errors
+    /// When a point fails; the solver must not be stepped again then.
+    pub fn advance(&mut self, dt: T) -> Result<(), StepError> {
+        self.bin_particles();
+        self.count_work();
+        self.particles_to_grid();
+        match self.method.stress_update() {
+            StressUpdate::First => {
+                self.strain_from_start();
+                self.update_state::<false>(dt)?;
+                self.particles_to_grid();
+                self.update_grid(dt);
+                self.gather::<true, false, true>(dt)?;
+            }
+            StressUpdate::Last => {
+                self.update_grid(dt);
+                self.update_divergence(false);
+                self.gather::<true, true, true>(dt)?;
+            }
+            StressUpdate::ModifiedLast => {
+                self.update_grid(dt);
+                self.gather::<true, false, false>(dt)?;
+                self.strain_from_points();
+                self.update_state::<true>(dt)?;
+            }
+        }
+        self.time += dt.as_f64();
+        Ok(())
+    }
+
+    fn view<'a>(
+        method: &'a M,
+        physics: &'a Physics<T, D, K>,
+        grid: &'a Grid<T, D>,
+        cells: &'a Cells,
+        particles: &'a ParticlesOf<T, D, M, K>,
+    ) -> View<'a, T, D, M, K> {
+        View { method, physics, grid, cells, particles }
+    }
+
+    /// Points → cells: sorts the points and numbers the cells and nodes that they touch.
+    fn bin_particles(&mut self) {
+        let Self { grid, cells, nodes, particles, spare, .. } = self;
+        let binned = cells.bin(grid, particles, spare);
+        self.counters.n_sorts += u64::from(binned != Binned::Unchanged);
+        if binned == Binned::NewCells {
+            nodes.activate(grid, &self.method.shape(), cells, &self.physics.boundaries);
+            if <M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
+                classify(grid, cells);
+            }
+        }
+    }
+
+    fn count_work(&mut self) {
+        self.counters.n_steps += 1;
+        self.counters.n_point_updates += self.particles.len() as u64;
+        self.counters.n_cell_updates += self.cells.len() as u64;
+        self.counters.n_node_updates += self.nodes.len() as u64;
+    }
+
+    fn uses_cells(&self) -> bool {
+        matches!(self.method.formulation(), Formulation::VelocityPressure(_))
+    }
+
+    /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.
+    fn particles_to_grid(&mut self) {
+        let uses_centers = <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells();
+        let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
+        let view = Self::view(method, physics, grid, cells, particles);
+        let mut counters = Counters::default();
+        if uses_centers {
+            centers.resize(cells.len(), Center::default());
+            counters = counters.sum(rebuild_centers(&view, centers));
+        }
+        counters = counters.sum(particles_to_grid(&view, centers, ScatterParts::All, nodes));
+        let Nodes { index, transfer, velocity, .. } = nodes;
+        counters = counters.sum(node_velocity(&view, index, transfer, velocity));
+        self.counters = self.counters.sum(counters);
+    }
+
+    /// Nodes → nodes: the velocity at the end of the step.
+    fn update_grid(&mut self, dt: T) {
+        let Self { physics, nodes, .. } = self;
+        let Nodes { velocity, increment, force, walls, .. } = nodes;
+        constrain(walls, &physics.boundaries, velocity, None);
+        update_grid(dt, physics.body_force, force, (velocity, increment));
+        constrain(walls, &physics.boundaries, velocity, Some(increment));
+    }
+
+    /// Strain from the velocity at the start of the step (USF).
+    fn strain_from_start(&mut self) {
+        let Self { physics, nodes, .. } = self;
+        nodes.rebuilt.clear();
+        nodes.rebuilt.extend_from_slice(&nodes.velocity);
+        constrain(&nodes.walls, &physics.boundaries, &mut nodes.rebuilt, None);
+        self.update_divergence(true);
+    }
+
+    /// Strain from node velocities rebuilt from the advanced points (MUSL).
+    fn strain_from_points(&mut self) {
+        let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
+        let view = Self::view(method, physics, grid, cells, particles);
+        let mut counters = particles_to_grid(&view, centers, ScatterParts::Momentum, nodes);
+        let Nodes { index, transfer, rebuilt, walls, .. } = nodes;
+        rebuilt.resize(index.len(), [T::zero(); 4]);
+        counters = counters.sum(node_velocity(&view, index, transfer, rebuilt));
+        constrain(walls, &physics.boundaries, rebuilt, None);
+        self.counters = self.counters.sum(counters);
+        self.update_divergence(true);
+    }
+
+    /// One divergence per cell, where the formulation asks for it.
+    fn update_divergence(&mut self, from_rebuilt: bool) {
+        if !self.uses_cells() {
+            return;
+        }
+        let Self { method, grid, cells, nodes, divergence: values, .. } = self;
+        let velocity = if from_rebuilt { &nodes.rebuilt } else { &nodes.velocity };
+        values.resize(cells.len(), T::zero());
+        divergence((grid, cells, &method.shape()), &nodes.rows, velocity, values);
+    }
+
+    /// Density and stress from the strain velocity, and the motion if `MOVE`.
+    fn update_state<const MOVE: bool>(&mut self, dt: T) -> Result<(), StepError> {
+        self.pass::<false, true, MOVE>(dt, true)
+    }
+
+    /// Velocity, and with it what else is asked for, from the velocity at the end of the step.
+    fn gather<const VELOCITY: bool, const STATE: bool, const MOVE: bool>(
+        &mut self,
+        dt: T,
+    ) -> Result<(), StepError> {
+        self.pass::<VELOCITY, STATE, MOVE>(dt, false)
+    }
+
+    fn pass<const VELOCITY: bool, const STATE: bool, const MOVE: bool>(
+        &mut self,
+        dt: T,
+        from_rebuilt: bool,
+    ) -> Result<(), StepError> {
+        let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
+        let source = StateSource {
+            velocity: if from_rebuilt { &nodes.rebuilt } else { &nodes.velocity },
+            divergence,
+        };
+        let Nodes { rows, velocity, increment, .. } = &*nodes;
+        let state = GridState { method, physics, grid, cells, rows, velocity, increment, source };
+        let outcome =
+            grid_to_particles::<T, D, M, K, VELOCITY, STATE, MOVE>(&state, dt, particles.view());
+        self.counters.n_points_removed += outcome.n_removed;
+        outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
+    }
+
+    fn describe(&self, point: usize, failure: Failure) -> StepError {
+        let p = &self.particles;
+        let (id, time) = (p.id[point], self.time);
+        let finite = |v: &[T; D]| v.iter().all(|c| c.is_finite());
+        match failure {
+            Failure::NotFinite => {
+                let field = if !finite(&p.velocity[point]) {
+                    "velocity"
+                } else if finite(&p.position[point]) {
+                    "density"
+                } else {
+                    "position"
+                };
+                StepError::NotFinite { id, field, time }
+            }
+            Failure::NotPositive => {
+                StepError::NotPositive { id, density: p.density[point].as_f64(), time }
+            }
+            Failure::LeftDomain => {
+                let position = p.position[point].iter().map(|x| x.as_f64()).collect();
+                StepError::LeftDomain { id, position, time }
+            }
+        }
+    }
+}

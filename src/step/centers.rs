@@ -1,0 +1,162 @@
+//! Cell values: density, pressure and stress at centres, and the divergence of each cell.
+
+use super::{CELL_GRAIN, StressOf, View};
+use crate::Scalar;
+use crate::basis::Fit;
+use crate::cells::Cells;
+use crate::grid::Grid;
+use crate::math::{Field, Value};
+use crate::method::Method;
+use crate::parallel::{fold_blocks, for_each_block};
+use crate::quadrature::{Quadrature, Samples};
+use crate::reconstruction::Reconstruction;
+use crate::shape::ShapeFunction;
+use crate::stencil::{for_each_outer_row, rows_at_center};
+use crate::stress::DeviatoricStress;
+use crate::telemetry::Counters;
+
+/// Fields of one cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Center<T, S> {
+    /// Density, kg/m³.
+    pub density: T,
+    /// Pressure, Pa.
+    pub pressure: T,
+    /// Volume of fluid, m³.
+    pub volume: T,
+    /// Deviatoric stress, Pa.
+    pub stress: S,
+}
+
+impl<T: Scalar, S: Field<T>> Default for Center<T, S> {
+    fn default() -> Self {
+        let zero = T::zero();
+        Self { density: zero, pressure: zero, volume: zero, stress: S::default() }
+    }
+}
+
+/// Rebuilds density, pressure and stress in every active cell, Eqs. (17)-(18) of \[Song2020\].
+///
+/// Cells sampled at their points get the volume-weighted means of these points, which only the
+/// velocity-pressure formulation uses.
+pub fn rebuild_centers<T, const D: usize, M, K>(
+    view: &View<'_, T, D, M, K>,
+    centers: &mut [Center<T, StressOf<T, D, K>>],
+) -> Counters
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    let quadrature = view.method.quadrature();
+    let work = |slots: std::ops::Range<usize>, part: &mut [Center<T, StressOf<T, D, K>>]| {
+        let mut counters = Counters::default();
+        for (slot, center) in slots.zip(part) {
+            *center = match quadrature.samples(view.cells.kind[slot]) {
+                Samples::Center => full_cell(view, slot, &mut counters),
+                Samples::Points => cut_cell(view, slot),
+            };
+        }
+        counters
+    };
+    fold_blocks(centers.len(), CELL_GRAIN, centers, &|slot| slot, &work, &Counters::sum)
+}
+
+/// A cell full of fluid: fields of the reconstruction at the centre, volume of the cell.
+#[inline(always)]
+fn full_cell<T, const D: usize, M, K>(
+    view: &View<'_, T, D, M, K>,
+    slot: usize,
+    counters: &mut Counters,
+) -> Center<T, StressOf<T, D, K>>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    let particles = view.particles;
+    let cell = view.grid.cell_coordinates(view.cells.index[slot]);
+    let fit = view.method.reconstruction().at_center(&view.cloud(), cell, |point| {
+        (Value(particles.density[point]), particles.stress[point])
+    });
+    counters.count_fit(&fit);
+    let (Value(density), stress) = fit.value().unwrap_or_else(|| {
+        // The cell's own points all lie where the weight is zero: take the first of them.
+        let point = view.cells.points(slot).start;
+        (Value(particles.density[point]), particles.stress[point])
+    });
+    let pressure = view.physics.equation_of_state.pressure(density);
+    Center { density, pressure, volume: view.grid.cell_volume(), stress }
+}
+
+/// A cell cut by the surface: volume-weighted means over the points that it holds.
+#[inline(always)]
+fn cut_cell<T, const D: usize, M, K>(
+    view: &View<'_, T, D, M, K>,
+    slot: usize,
+) -> Center<T, StressOf<T, D, K>>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    let particles = view.particles;
+    let cloud = view.cloud();
+    let volumes = view.method.quadrature().point_volumes(&cloud, slot);
+    let (mut volume, mut mass, mut work) = (T::zero(), T::zero(), T::zero());
+    let mut stress = StressOf::<T, D, K>::default();
+    for point in view.cells.points(slot) {
+        let density = particles.density[point];
+        let (part, part_mass) = volumes.of(point, particles.mass[point], density);
+        volume += part;
+        mass += part_mass;
+        work += part * view.physics.equation_of_state.pressure(density);
+        stress.add_scaled(part, particles.stress[point]);
+    }
+    let mut mean = StressOf::<T, D, K>::default();
+    mean.add_scaled(T::one() / volume, stress);
+    Center { density: mass / volume, pressure: work / volume, volume, stress: mean }
+}
+
+/// Divergence of each active cell by the one-point rule, D_c = Σ_I v_I · ∇N_I(x_c), 1/s.
+///
+/// Exact for the cell's mean with the linear hat; the adjoint of the velocity-pressure force.
+pub fn divergence<T: Scalar, const D: usize, S: ShapeFunction<T>>(
+    (grid, cells, shape): (&Grid<T, D>, &Cells, &S),
+    rows: &[u32],
+    velocity: &[[T; 4]],
+    divergence: &mut [T],
+) {
+    let n_rows = S::REACH.pow(D as u32 - 1);
+    for_each_block(cells.len(), CELL_GRAIN, divergence, &|slots, part: &mut [T]| {
+        for (slot, out) in slots.zip(part) {
+            let cell = grid.cell_coordinates(cells.index[slot]);
+            let at = rows_at_center(shape, grid, cell);
+            let starts = &rows[slot * n_rows..(slot + 1) * n_rows];
+            let last = &at[D - 1];
+            let mut sum = T::zero();
+            for_each_outer_row::<T, D, S>(&at, |outer| {
+                let start = starts[outer.row] as usize + last.first;
+                for (k, v) in velocity[start..start + S::WIDTH].iter().enumerate() {
+                    for axis in 0..D - 1 {
+                        sum += outer.gradient[axis] * last.weight[k] * v[axis];
+                    }
+                    sum += outer.weight * last.gradient[k] * v[D - 1];
+                }
+            });
+            *out = sum;
+        }
+    });
+}
+
+impl Counters {
+    /// Counts one reconstruction and what became of it.
+    pub(crate) fn count_fit<F>(&mut self, fit: &Fit<F>) {
+        self.n_reconstructions += 1;
+        match fit {
+            Fit::Regular(_) => {}
+            Fit::Limited(_) => self.n_positivity_limited += 1,
+            Fit::Empty | Fit::Constant(_) => self.n_singular_fallbacks += 1,
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The phases of a time step: points → grid → points.
+
+mod centers;
+mod grid_to_particles;
+mod node_velocity;
+mod particles_to_grid;
+mod update_grid;
+
+pub use centers::{Center, divergence, rebuild_centers};
+pub use grid_to_particles::{Failure, GridState, Outcome, StateSource, grid_to_particles};
+pub use node_velocity::{node_velocity, transfer_velocity};
+pub use particles_to_grid::{ScatterParts, particles_to_grid};
+pub use update_grid::{constrain, update_grid};
+
+use crate::Scalar;
+use crate::cells::Cells;
+use crate::equation_of_state::EquationOfState;
+use crate::grid::Grid;
+use crate::method::Method;
+use crate::particles::Particles;
+use crate::reconstruction::Cloud;
+use crate::scene::Boundary;
+use crate::stress::DeviatoricStress;
+use crate::transfer::Transfer;
+
+/// Cells per task in loops over cells and their points.
+pub const CELL_GRAIN: usize = 256;
+
+/// Nodes per task.
+pub const NODE_GRAIN: usize = 1024;
+
+/// The affine field that a method's points carry.
+pub type AffineOf<T, const D: usize, M> = <<M as Method<T, D>>::Transfer as Transfer<T, D>>::Affine;
+
+/// The stress that points carry.
+pub type StressOf<T, const D: usize, K> = <K as DeviatoricStress<T, D>>::Stress;
+
+/// The points of a method.
+pub type ParticlesOf<T, const D: usize, M, K> =
+    Particles<T, D, AffineOf<T, D, M>, StressOf<T, D, K>>;
+
+/// What the scene prescribes.
+#[derive(Clone, Copy, Debug)]
+pub struct Physics<T, const D: usize, K> {
+    /// Pressure law.
+    pub equation_of_state: EquationOfState<T>,
+    /// Deviatoric stress.
+    pub stress: K,
+    /// Acceleration, m/s².
+    pub body_force: [T; D],
+    /// Lower and upper face of each axis.
+    pub boundaries: [[Boundary; 2]; D],
+}
+
+/// The inputs of a phase: everything that it reads.
+#[derive(Debug)]
+pub struct View<'a, T, const D: usize, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    /// The recipe.
+    pub method: &'a M,
+    /// What the scene prescribes.
+    pub physics: &'a Physics<T, D, K>,
+    /// The grid.
+    pub grid: &'a Grid<T, D>,
+    /// Active cells.
+    pub cells: &'a Cells,
+    /// Sorted points.
+    pub particles: &'a ParticlesOf<T, D, M, K>,
+}
+
+impl<T, const D: usize, M, K> View<'_, T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    /// The points as a searchable cloud.
+    #[inline(always)]
+    pub fn cloud(&self) -> Cloud<'_, T, D> {
+        Cloud {
+            grid: self.grid,
+            cells: self.cells,
+            position: &self.particles.position,
+            mass: &self.particles.mass,
+            density: &self.particles.density,
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Node velocities from the points.
+
+use super::{NODE_GRAIN, View};
+use crate::Scalar;
+use crate::cells::{ABSENT, CellKind};
+use crate::math::Row4;
+use crate::method::Method;
+use crate::parallel::{fold_blocks, for_each_block};
+use crate::quadrature::Quadrature;
+use crate::reconstruction::Reconstruction;
+use crate::shape::ShapeFunction;
+use crate::stress::DeviatoricStress;
+use crate::telemetry::Counters;
+
+/// Velocity of each node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
+#[inline(always)]
+pub fn transfer_velocity<T: Scalar>(transfer: [T; 4]) -> [T; 4] {
+    if !(transfer[3] > T::zero()) {
+        return [T::zero(); 4];
+    }
+    let inverse = T::one() / transfer[3];
+    [transfer[0] * inverse, transfer[1] * inverse, transfer[2] * inverse, T::zero()]
+}
+
+/// Node velocities before constraints: reconstructed v_I = (ρv)(x_I) / ρ(x_I), Eq. (20) of \[Song2020\], at
+/// nodes all of whose cells are full of fluid, and by mass-weighted transfer elsewhere.
+pub fn node_velocity<T, const D: usize, M, K>(
+    view: &View<'_, T, D, M, K>,
+    index: &[u32],
+    transfer: &[[T; 4]],
+    velocity: &mut [[T; 4]],
+) -> Counters
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    if !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
+        for_each_block(index.len(), NODE_GRAIN, velocity, &|nodes, part: &mut [[T; 4]]| {
+            for (node, out) in nodes.zip(part) {
+                *out = transfer_velocity(transfer[node]);
+            }
+        });
+        return Counters::default();
+    }
+    let work = |nodes: std::ops::Range<usize>, part: &mut [[T; 4]]| {
+        let mut counters = Counters::default();
+        for (node, out) in nodes.zip(part) {
+            let at = view.grid.node_coordinates(index[node]);
+            let rebuilt = is_interior(view, at).then(|| rebuild(view, at, &mut counters)).flatten();
+            *out = rebuilt.unwrap_or_else(|| transfer_velocity(transfer[node]));
+        }
+        counters
+    };
+    fold_blocks(index.len(), NODE_GRAIN, velocity, &|node| node, &work, &Counters::sum)
+}
+
+#[inline(always)]
+fn rebuild<T, const D: usize, M, K>(
+    view: &View<'_, T, D, M, K>,
+    node: [usize; D],
+    counters: &mut Counters,
+) -> Option<[T; 4]>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    let shape = view.method.shape();
+    let at = std::array::from_fn(|axis| {
+        shape.node_coordinate(node[axis], view.grid.n_cells[axis], view.grid.periodic[axis])
+    });
+    let p = view.particles;
+    let fit = view.method.reconstruction().at_node(&view.cloud(), at, |point| {
+        let density = p.density[point];
+        let mut row = [T::zero(); 4];
+        for axis in 0..D {
+            row[axis] = density * p.velocity[point][axis];
+        }
+        row[3] = density;
+        Row4(row)
+    });
+    counters.count_fit(&fit);
+    fit.value().map(|Row4(row)| transfer_velocity(row))
+}
+
+/// Whether every cell of the box whose functions reach the node is full of fluid.
+#[inline(always)]
+fn is_interior<T, const D: usize, M, K>(view: &View<'_, T, D, M, K>, node: [usize; D]) -> bool
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    if !<M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
+        return true;
+    }
+    let reach = M::Shape::REACH;
+    (0..reach.pow(D as u32)).all(|code| {
+        let mut rest = code;
+        let shift = std::array::from_fn(|_| {
+            let back = rest % reach;
+            rest /= reach;
+            -(back as i32)
+        });
+        view.grid.neighbor(node, shift).is_none_or(|cell| {
+            let slot = view.cells.slot_of[cell];
+            slot != ABSENT && view.cells.kind[slot as usize] == CellKind::Internal
+        })
+    })
+}
