@@ -5,76 +5,13 @@
 
 use std::ops::Range;
 
-use fearless_simd::{Level, Simd, dispatch, prelude::*};
-use transpoint::Scene;
+use fearless_simd::{Simd, prelude::*};
 
 use super::row::Row;
-use super::{Plain, Points, PointsMut, Real, two_colours};
+use super::{Points, PointsMut, Real, scheme};
 
-macro_rules! apic {
-    ($name:ident, $dimension:literal, $doc:literal) => {
-        #[doc = $doc]
-        pub struct $name<T> {
-            points: Points<T, $dimension>,
-            nodes: Vec<[T; 4]>,
-            parallel: bool,
-            level: Level,
-        }
-
-        impl<T: Real> $name<T> {
-            /// Starts from a scene; `parallel` uses the current thread pool.
-            pub fn new(scene: &Scene<$dimension>, parallel: bool) -> Self {
-                let n_nodes = scene.grid.cells.iter().map(|n| n + 2).product();
-                Self {
-                    points: Points::new(scene, true),
-                    nodes: vec![[T::zero(); 4]; n_nodes],
-                    parallel,
-                    level: Level::new(),
-                }
-            }
-
-            /// Node rows (momentum + impulse of the pressure, mass).
-            pub fn particles_to_grid(&mut self, dt: T) {
-                let (points, level) = (&self.points, self.level);
-                let n_layers = points.cells[0];
-                let layer = points.cells[1..].iter().map(|n| n + 2).product();
-                self.nodes.fill([T::zero(); 4]);
-                two_colours(&mut self.nodes, layer, n_layers, self.parallel, &|layers, nodes| {
-                    dispatch!(level, simd => Self::scatter_layers(simd, points, layers, dt, nodes));
-                });
-            }
-
-            /// Moves the points; true if any has left its cell.
-            pub fn grid_to_particles(&mut self, dt: T) -> bool {
-                let (level, nodes) = (self.level, &self.nodes);
-                self.points.slabs(self.parallel, &|layers, points| {
-                    dispatch!(level, simd => Self::gather_layers(simd, points, layers, dt, nodes))
-                })
-            }
-        }
-
-        impl<T: Real> Plain<$dimension> for $name<T> {
-            fn step(&mut self, dt: f64) {
-                let dt = T::lit(dt);
-                self.particles_to_grid(dt);
-                self.update_grid();
-                if self.grid_to_particles(dt) {
-                    self.points.sort();
-                }
-            }
-
-            fn points(&self) -> super::State<$dimension> {
-                self.points.state()
-            }
-
-            fn n_sorts(&self) -> u64 {
-                self.points.n_sorts
-            }
-        }
-    };
-}
-apic!(Apic2, 2, "The 2D scheme.");
-apic!(Apic3, 3, "The 3D scheme.");
+scheme!(Apic2, 2, [T; 4], 2, true, "The 2D scheme.");
+scheme!(Apic3, 3, [T; 4], 2, true, "The 3D scheme.");
 
 impl<T: Real> Apic3<T> {
     #[inline(always)]
@@ -147,7 +84,7 @@ impl<T: Real> Apic3<T> {
     }
 
     /// Node rows (v⁺, v⁺_z): the last lane serves the gradient along z.
-    pub fn update_grid(&mut self) {
+    pub fn update_grid(&mut self, _dt: T) {
         let [nx, ny, nz] = self.points.cells.map(|n| n + 2);
         for (i, layer) in self.nodes.chunks_exact_mut(ny * nz).enumerate() {
             for (j, line) in layer.chunks_exact_mut(nz).enumerate() {
@@ -313,7 +250,7 @@ impl<T: Real> Apic2<T> {
     }
 
     /// Node rows (v⁺, v⁺): the second pair serves the first moments along y.
-    pub fn update_grid(&mut self) {
+    pub fn update_grid(&mut self, _dt: T) {
         let [nx, ny] = self.points.cells.map(|n| n + 2);
         for (i, line) in self.nodes.chunks_exact_mut(ny).enumerate() {
             let free_x = if i == 0 || i == nx - 1 { T::zero() } else { T::one() };

@@ -3,6 +3,78 @@
 //!
 //! They know slip walls, a full box and nothing else.
 
+/// Declares a scheme whose points scatter to nodes and gather from them; its file supplies
+/// `scatter_layers`, `update_grid` and `gather_layers`.
+macro_rules! scheme {
+    ($name:ident, $d:literal, $node:ty, $extra:literal, $affine:literal, $doc:literal) => {
+        #[doc = $doc]
+        pub struct $name<T> {
+            pub(super) points: $crate::plain::Points<T, $d>,
+            pub(super) nodes: Vec<$node>,
+            level: fearless_simd::Level,
+        }
+
+        impl<T: $crate::plain::Real> $name<T> {
+            /// Starts from a scene.
+            pub fn new(scene: &transpoint::Scene<$d>) -> Self {
+                let n_nodes = scene.grid.cells.iter().map(|n| n + $extra).product();
+                Self {
+                    points: $crate::plain::Points::new(scene, $affine),
+                    nodes: vec![<$node>::default(); n_nodes],
+                    level: fearless_simd::Level::new(),
+                }
+            }
+
+            /// Sums over the points at the nodes.
+            pub fn particles_to_grid(&mut self, dt: T) {
+                let (points, level) = (&self.points, self.level);
+                let layer = points.cells[1..].iter().map(|n| n + $extra).product();
+                self.nodes.fill(<$node>::default());
+                $crate::plain::two_colours(&mut self.nodes, layer, points.cells[0], &|layers, nodes| {
+                    fearless_simd::dispatch!(level, simd => {
+                        Self::scatter_layers(simd, points, layers, dt, nodes)
+                    });
+                });
+            }
+
+            /// Moves the points; true if any has left its cell.
+            pub fn grid_to_particles(&mut self, dt: T) -> bool {
+                let (level, nodes) = (self.level, &self.nodes);
+                self.points.slabs(&|layers, points| {
+                    fearless_simd::dispatch!(level, simd => {
+                        Self::gather_layers(simd, points, layers, dt, nodes)
+                    })
+                })
+            }
+
+            /// Sorts the points again.
+            pub fn sort(&mut self) {
+                self.points.sort();
+            }
+        }
+
+        impl<T: $crate::plain::Real> $crate::plain::Plain<$d> for $name<T> {
+            fn step(&mut self, dt: f64) {
+                let dt = T::lit(dt);
+                self.particles_to_grid(dt);
+                self.update_grid(dt);
+                if self.grid_to_particles(dt) {
+                    self.points.sort();
+                }
+            }
+
+            fn points(&self) -> $crate::plain::State<$d> {
+                self.points.state()
+            }
+
+            fn n_sorts(&self) -> u64 {
+                self.points.n_sorts
+            }
+        }
+    };
+}
+pub(crate) use scheme;
+
 pub mod apic_quadratic;
 pub mod mpm_linear;
 pub mod points;
@@ -79,7 +151,6 @@ pub fn two_colours<N: Send>(
     nodes: &mut [N],
     layer: usize,
     n_layers: usize,
-    parallel: bool,
     work: &(impl Fn(Range<usize>, &mut [N]) + Sync),
 ) {
     for colour in 0..2 {
@@ -91,7 +162,7 @@ pub fn two_colours<N: Send>(
                 work(start..(start + SLAB).min(n_layers), nodes);
             }
         };
-        if parallel {
+        if rayon::current_num_threads() > 1 {
             use rayon::prelude::*;
             nodes[first..].par_chunks_mut(chunk).enumerate().for_each(run);
         } else {

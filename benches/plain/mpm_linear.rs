@@ -1,1 +1,278 @@
+//! The material point method on linear hats: FLIP, stress updated last.
 
+use std::ops::Range;
+
+use fearless_simd::{Simd, prelude::*};
+
+use super::{Points, PointsMut, Real, scheme};
+
+scheme!(Mpm2, 2, [[T; 4]; 2], 1, false, "The 2D scheme: nodes (momentum, mass, 0), (force, 0, 0).");
+scheme!(Mpm3, 3, [[T; 4]; 2], 1, false, "The 3D scheme: nodes (momentum, mass), (force, 0).");
+
+/// The two functions of one axis at local coordinate `xi`.
+#[inline(always)]
+fn hats<T: Real>(x: T, cell: usize, per_spacing: T) -> [T; 2] {
+    let xi = x * per_spacing - T::index(cell);
+    [T::one() - xi, xi]
+}
+
+impl<T: Real> Mpm3<T> {
+    #[inline(always)]
+    fn scatter_layers<S: Simd>(
+        simd: S,
+        points: &Points<T, 3>,
+        layers: Range<usize>,
+        dt: T,
+        nodes: &mut [[[T; 4]; 2]],
+    ) {
+        let [_, ny, nz] = points.cells;
+        for i in layers.clone() {
+            for j in 0..ny {
+                for k in 0..nz {
+                    let first = ((i - layers.start) * (ny + 1) + j) * (nz + 1) + k;
+                    for p in points.of_cell((i * ny + j) * nz + k) {
+                        Self::scatter(simd, points, p, [i, j, k], dt, &mut nodes[first..]);
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn scatter<S: Simd>(
+        simd: S,
+        points: &Points<T, 3>,
+        p: usize,
+        cell: [usize; 3],
+        dt: T,
+        nodes: &mut [[[T; 4]; 2]],
+    ) {
+        let [_, ny, nz] = points.cells;
+        let (per_h, o) = (T::one() / points.spacing, T::zero());
+        let splat = |value: T| T::Four::splat(simd, value);
+        let x = points.position[p];
+        let [rx, ry, rz] = [0, 1, 2].map(|a| hats(x[a], cell[a], per_h));
+        let (m, density, v) = (points.mass[p], points.density[p], points.velocity[p]);
+        let push = dt * m / density * points.pressure(density);
+        let slope = [-push * per_h, push * per_h];
+        let momentum = splat(m) * T::Four::load_array(simd, [v[0], v[1], v[2], T::one()]);
+        let weight_z = rz.map(splat);
+        let factor_z = [0, 1].map(|k| T::Four::load_array(simd, [rz[k], rz[k], slope[k], o]));
+        for i in 0..2 {
+            for j in 0..2 {
+                let weight = rx[i] * ry[j];
+                let row = momentum * splat(weight);
+                let force =
+                    T::Four::load_array(simd, [slope[i] * ry[j], rx[i] * slope[j], weight, o]);
+                let first = (i * (ny + 1) + j) * (nz + 1);
+                let nodes = &mut nodes[first..first + 2];
+                for k in 0..2 {
+                    let [sum, impulse] = &mut nodes[k];
+                    (T::Four::load_array_ref(simd, sum) + row * weight_z[k]).store_array(sum);
+                    (T::Four::load_array_ref(simd, impulse) + force * factor_z[k])
+                        .store_array(impulse);
+                }
+            }
+        }
+    }
+
+    /// Nodes (v⁺, v⁺_z), (Δt a, 0): the last lane serves the gradient along z.
+    pub fn update_grid(&mut self, _dt: T) {
+        let [nx, ny, nz] = self.points.cells.map(|n| n + 1);
+        let free = |wall| if wall { T::zero() } else { T::one() };
+        for (i, layer) in self.nodes.chunks_exact_mut(ny * nz).enumerate() {
+            for (j, line) in layer.chunks_exact_mut(nz).enumerate() {
+                let (free_x, free_y) = (free(i == 0 || i == nx - 1), free(j == 0 || j == ny - 1));
+                for (k, [sum, impulse]) in line.iter_mut().enumerate() {
+                    let free = [free_x, free_y, free(k == 0 || k == nz - 1)];
+                    let per_mass = if sum[3] > T::zero() { sum[3].recip() } else { T::zero() };
+                    for a in 0..3 {
+                        impulse[a] = impulse[a] * per_mass * free[a];
+                        sum[a] = sum[a] * per_mass * free[a] + impulse[a];
+                    }
+                    sum[3] = sum[2];
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn gather_layers<S: Simd>(
+        simd: S,
+        mut points: PointsMut<T, 3>,
+        layers: Range<usize>,
+        dt: T,
+        nodes: &[[[T; 4]; 2]],
+    ) -> bool {
+        let [_, ny, nz] = points.cells;
+        let mut moved = false;
+        for i in layers {
+            for j in 0..ny {
+                for k in 0..nz {
+                    let nodes = &nodes[(i * (ny + 1) + j) * (nz + 1) + k..];
+                    for p in points.of_cell((i * ny + j) * nz + k) {
+                        moved |= Self::gather(simd, &mut points, p, [i, j, k], dt, nodes);
+                    }
+                }
+            }
+        }
+        moved
+    }
+
+    #[inline(always)]
+    fn gather<S: Simd>(
+        simd: S,
+        points: &mut PointsMut<T, 3>,
+        p: usize,
+        cell: [usize; 3],
+        dt: T,
+        nodes: &[[[T; 4]; 2]],
+    ) -> bool {
+        let [_, ny, nz] = points.cells;
+        let per_h = T::one() / points.spacing;
+        let splat = |value: T| T::Four::splat(simd, value);
+        let load = |row: &[T; 4]| T::Four::load_array_ref(simd, row);
+        let x = points.position[p];
+        let [rx, ry, rz] = [0, 1, 2].map(|a| hats(x[a], cell[a], per_h));
+        let slope = [-per_h, per_h];
+        // Sums of N v⁺ (with N_z' v⁺_z in the last lane) and of N Δt a.
+        let (mut v, mut increment, mut divergence) = (splat(T::zero()), splat(T::zero()), T::zero());
+        let weight_z = rz.map(splat);
+        let factor_z =
+            [0, 1].map(|k| T::Four::load_array(simd, [rz[k], rz[k], rz[k], slope[k]]));
+        for i in 0..2 {
+            for j in 0..2 {
+                let first = (i * (ny + 1) + j) * (nz + 1);
+                let nodes = &nodes[first..first + 2];
+                let line = load(&nodes[0][0]) * factor_z[0] + load(&nodes[1][0]) * factor_z[1];
+                let step = load(&nodes[0][1]) * weight_z[0] + load(&nodes[1][1]) * weight_z[1];
+                let weight = splat(rx[i] * ry[j]);
+                v = v + line * weight;
+                increment = increment + step * weight;
+                let [vx, vy, ..] = *line.as_array();
+                divergence += slope[i] * ry[j] * vx + rx[i] * slope[j] * vy;
+            }
+        }
+        let (v, increment) = (v.to_array(), increment.to_array());
+        let motion = [v[0], v[1], v[2]];
+        let change = [increment[0], increment[1], increment[2]];
+        points.advance(p, cell, motion, change, divergence + v[3], dt)
+    }
+}
+
+impl<T: Real> Mpm2<T> {
+    #[inline(always)]
+    fn scatter_layers<S: Simd>(
+        simd: S,
+        points: &Points<T, 2>,
+        layers: Range<usize>,
+        dt: T,
+        nodes: &mut [[[T; 4]; 2]],
+    ) {
+        let ny = points.cells[1];
+        for i in layers.clone() {
+            for j in 0..ny {
+                let first = (i - layers.start) * (ny + 1) + j;
+                for p in points.of_cell(i * ny + j) {
+                    Self::scatter(simd, points, p, [i, j], dt, &mut nodes[first..]);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn scatter<S: Simd>(
+        simd: S,
+        points: &Points<T, 2>,
+        p: usize,
+        cell: [usize; 2],
+        dt: T,
+        nodes: &mut [[[T; 4]; 2]],
+    ) {
+        let ny = points.cells[1];
+        let (per_h, o) = (T::one() / points.spacing, T::zero());
+        let splat = |value: T| T::Four::splat(simd, value);
+        let x = points.position[p];
+        let [rx, ry] = [0, 1].map(|a| hats(x[a], cell[a], per_h));
+        let (m, density, v) = (points.mass[p], points.density[p], points.velocity[p]);
+        let push = dt * m / density * points.pressure(density);
+        let slope = [-push * per_h, push * per_h];
+        let momentum = splat(m) * T::Four::load_array(simd, [v[0], v[1], T::one(), o]);
+        let weight_y = ry.map(splat);
+        let factor_y = [0, 1].map(|j| T::Four::load_array(simd, [ry[j], slope[j], o, o]));
+        for i in 0..2 {
+            let row = momentum * splat(rx[i]);
+            let force = T::Four::load_array(simd, [slope[i], rx[i], o, o]);
+            let nodes = &mut nodes[i * (ny + 1)..i * (ny + 1) + 2];
+            for j in 0..2 {
+                let [sum, impulse] = &mut nodes[j];
+                (T::Four::load_array_ref(simd, sum) + row * weight_y[j]).store_array(sum);
+                (T::Four::load_array_ref(simd, impulse) + force * factor_y[j]).store_array(impulse);
+            }
+        }
+    }
+
+    /// Nodes (v⁺, Δt a); the second row is spent.
+    pub fn update_grid(&mut self, _dt: T) {
+        let [nx, ny] = self.points.cells.map(|n| n + 1);
+        let free = |wall| if wall { T::zero() } else { T::one() };
+        for (i, line) in self.nodes.chunks_exact_mut(ny).enumerate() {
+            for (j, [sum, impulse]) in line.iter_mut().enumerate() {
+                let per_mass = if sum[2] > T::zero() { sum[2].recip() } else { T::zero() };
+                let free = [free(i == 0 || i == nx - 1), free(j == 0 || j == ny - 1)];
+                for a in 0..2 {
+                    let change = impulse[a] * per_mass * free[a];
+                    sum[a] = sum[a] * per_mass * free[a] + change;
+                    sum[2 + a] = change;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn gather_layers<S: Simd>(
+        simd: S,
+        points: PointsMut<T, 2>,
+        layers: Range<usize>,
+        dt: T,
+        nodes: &[[[T; 4]; 2]],
+    ) -> bool {
+        gather_layers2(simd, points, layers, dt, nodes, |node| &node[0])
+    }
+}
+
+/// The 2D gather from nodes (v⁺, Δt a), which the transport point method shares.
+#[inline(always)]
+pub fn gather_layers2<S: Simd, T: Real, N>(
+    simd: S,
+    mut points: PointsMut<T, 2>,
+    layers: Range<usize>,
+    dt: T,
+    nodes: &[N],
+    row: impl Fn(&N) -> &[T; 4],
+) -> bool {
+    let ny = points.cells[1];
+    let per_h = T::one() / points.spacing;
+    let splat = |value: T| T::Four::splat(simd, value);
+    let mut moved = false;
+    for i in layers {
+        for j in 0..ny {
+            let first = i * (ny + 1) + j;
+            let at = |n: usize| T::Four::load_array_ref(simd, row(&nodes[n]));
+            let corner = [[at(first), at(first + 1)], [at(first + ny + 1), at(first + ny + 2)]];
+            for p in points.of_cell(i * ny + j) {
+                let x = points.position[p];
+                let (rx, ry) = (hats(x[0], i, per_h), hats(x[1], j, per_h));
+                let along_y = |i: usize| corner[i][0] * splat(ry[0]) + corner[i][1] * splat(ry[1]);
+                let (low, high) = (along_y(0), along_y(1));
+                let slope_x = (high + low * splat(-T::one())).to_array()[0];
+                let at_y = |j: usize| corner[0][j].as_array()[1] * rx[0] + corner[1][j].as_array()[1] * rx[1];
+                let divergence = (slope_x + (at_y(1) - at_y(0))) * per_h;
+                let sum = (low * splat(rx[0]) + high * splat(rx[1])).to_array();
+                let (motion, change) = ([sum[0], sum[1]], [sum[2], sum[3]]);
+                moved |= points.advance(p, [i, j], motion, change, divergence, dt);
+            }
+        }
+    }
+    moved
+}

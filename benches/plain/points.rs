@@ -162,7 +162,6 @@ impl<T: Real, const D: usize> Points<T, D> {
     /// Calls `work(layers, points)` for each slab of cells; true if any call returned true.
     pub fn slabs(
         &mut self,
-        parallel: bool,
         work: &(impl Fn(Range<usize>, PointsMut<T, D>) -> bool + Sync),
     ) -> bool {
         let points = PointsMut {
@@ -175,7 +174,7 @@ impl<T: Real, const D: usize> Points<T, D> {
             density: &mut self.density,
             affine: &mut self.affine,
         };
-        points.slabs(0..self.cells[0], parallel, work)
+        points.slabs(0..self.cells[0], work)
     }
 }
 
@@ -186,11 +185,34 @@ impl<T: Real, const D: usize> PointsMut<'_, T, D> {
         self.start[c] as usize - self.first..self.start[c + 1] as usize - self.first
     }
 
+    /// FLIP: changes the velocity of point `p`, moves it and updates its density; true if it has left
+    /// its cell.
+    #[inline(always)]
+    pub fn advance(
+        &mut self,
+        p: usize,
+        cell: [usize; D],
+        motion: [T; D],
+        change: [T; D],
+        divergence: T,
+        dt: T,
+    ) -> bool {
+        let per_h = T::one() / self.spacing;
+        let mut moved = false;
+        for a in 0..D {
+            self.velocity[p][a] += change[a];
+            self.position[p][a] += dt * motion[a];
+            let xi = self.position[p][a] * per_h - T::index(cell[a]);
+            moved |= xi < T::zero() || xi >= T::one();
+        }
+        self.density[p] = self.density[p] / (T::one() + dt * divergence);
+        moved
+    }
+
     /// Halves a range of layers down to slabs.
     fn slabs(
         self,
         layers: Range<usize>,
-        parallel: bool,
         work: &(impl Fn(Range<usize>, Self) -> bool + Sync),
     ) -> bool {
         if layers.len() <= SLAB {
@@ -200,9 +222,9 @@ impl<T: Real, const D: usize> PointsMut<'_, T, D> {
         let middle = layers.start + layers.len() / 2;
         let first = self.start[middle * layer] as usize;
         let (low, high) = self.split(first);
-        let low = || low.slabs(layers.start..middle, parallel, work);
-        let high = || high.slabs(middle..layers.end, parallel, work);
-        let (low, high) = if parallel { rayon::join(low, high) } else { (low(), high()) };
+        let low = || low.slabs(layers.start..middle, work);
+        let high = || high.slabs(middle..layers.end, work);
+        let (low, high) = if rayon::current_num_threads() > 1 { rayon::join(low, high) } else { (low(), high()) };
         low | high
     }
 
@@ -226,5 +248,13 @@ impl<T: Real, const D: usize> PointsMut<'_, T, D> {
             affine: affine_high,
         };
         (low, high)
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Σ m and Σ m v.
+    pub fn totals(&self) -> (f64, [f64; D]) {
+        let momentum = |a: usize| self.mass.iter().zip(&self.velocity).map(|(m, v)| m * v[a]).sum();
+        (self.mass.iter().sum(), std::array::from_fn(momentum))
     }
 }
