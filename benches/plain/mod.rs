@@ -1,4 +1,4 @@
-//! Plain kernels: each scheme written out by hand for one dimension, as fast as readable safe Rust
+//! Stepper kernels: each scheme written out by hand for one dimension, as fast as readable safe Rust
 //! gets it. The generic solver is measured against them.
 //!
 //! They know slip walls, a full box and nothing else.
@@ -47,13 +47,18 @@ macro_rules! scheme {
                 })
             }
 
+            /// The nodes.
+            pub fn nodes(&self) -> &[$node] {
+                &self.nodes
+            }
+
             /// Sorts the points again.
             pub fn sort(&mut self) {
                 self.points.sort();
             }
         }
 
-        impl<T: $crate::plain::Real> $crate::plain::Plain<$d> for $name<T> {
+        impl<T: $crate::plain::Real> $crate::plain::Stepper<$d> for $name<T> {
             fn step(&mut self, dt: f64) {
                 let dt = T::lit(dt);
                 self.particles_to_grid(dt);
@@ -65,6 +70,10 @@ macro_rules! scheme {
 
             fn points(&self) -> $crate::plain::State<$d> {
                 self.points.state()
+            }
+
+            fn bytes_per_point(&self) -> usize {
+                self.points.bytes_per_point()
             }
 
             fn n_sorts(&self) -> u64 {
@@ -131,12 +140,14 @@ macro_rules! real {
 }
 real!(f32, f32x4; f64, f64x4);
 
-/// A plain kernel, whatever its scheme and precision.
-pub trait Plain<const D: usize> {
+/// A scheme that can be stepped, plain or generic, whatever its precision.
+pub trait Stepper<const D: usize> {
     /// Advances by `dt` seconds.
     fn step(&mut self, dt: f64);
     /// The points in order of their identifiers.
     fn points(&self) -> State<D>;
+    /// Bytes that each point carries.
+    fn bytes_per_point(&self) -> usize;
     /// How often the points have been sorted.
     fn n_sorts(&self) -> u64;
 }

@@ -90,6 +90,12 @@ impl<T: Real, const D: usize> Points<T, D> {
         self.equation_of_state[1] * (density - self.equation_of_state[0])
     }
 
+    /// Bytes that each point carries.
+    pub fn bytes_per_point(&self) -> usize {
+        let affine = if self.affine.is_empty() { 0 } else { size_of::<[[T; D]; D]>() };
+        2 * size_of::<[T; D]>() + 2 * size_of::<T>() + affine + size_of::<u32>()
+    }
+
     /// The points of cell `c`.
     #[inline(always)]
     pub fn of_cell(&self, c: usize) -> Range<usize> {

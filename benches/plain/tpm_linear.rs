@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use transpoint::Scene;
 
 use super::mpm_linear::gather_layers2;
-use super::{Plain, Points, Real, State};
+use super::{Stepper, Points, Real, State};
 
 /// The 2D scheme.
 pub struct Tpm2<T> {
@@ -93,7 +93,7 @@ impl<T: Real> Tpm2<T> {
     }
 }
 
-impl<T: Real> Plain<2> for Tpm2<T> {
+impl<T: Real> Stepper<2> for Tpm2<T> {
     fn step(&mut self, dt: f64) {
         let dt = T::lit(dt);
         self.rebuild_centers();
@@ -105,6 +105,10 @@ impl<T: Real> Plain<2> for Tpm2<T> {
 
     fn points(&self) -> State<2> {
         self.points.state()
+    }
+
+    fn bytes_per_point(&self) -> usize {
+        self.points.bytes_per_point()
     }
 
     fn n_sorts(&self) -> u64 {
