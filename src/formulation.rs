@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::Scalar;
+
 /// How pressure acts on the nodes and how a point's density changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -20,7 +22,31 @@ pub enum Formulation {
 pub enum PointDivergence {
     /// That of the point's cell.
     Constant,
-    /// Multilinear between cell centres; at walls and next to empty cells the weights of the cells
-    /// that exist are scaled to one.
-    Interpolated,
+    /// Multilinear between cell centres.
+    Linear,
+    /// Quadratic B-spline about cell centres.
+    Quadratic,
+    /// Mean of the cells at each vertex, then multilinear between vertices.
+    VertexMean,
+}
+
+impl PointDivergence {
+    /// Weights of the cell before, the cell itself and the cell after, along one axis, at `xi` cells
+    /// from the cell's lower face. Each kind has Σ w = 1 and, but for `Constant`, Σ w x_c = x.
+    ///
+    /// Beyond a wall stands the cell before the wall; in place of an empty cell the point's own cell.
+    #[inline(always)]
+    pub fn weights<T: Scalar>(self, xi: T) -> [T; 3] {
+        let (zero, one, half) = (T::zero(), T::one(), T::lit(0.5));
+        let eta = one - xi;
+        match self {
+            Self::Constant => [zero, one, zero],
+            Self::Linear => {
+                let (before, after) = ((half - xi).max(zero), (xi - half).max(zero));
+                [before, one - before - after, after]
+            }
+            Self::Quadratic => [half * eta * eta, half + xi * eta, half * xi * xi],
+            Self::VertexMean => [half * eta, half, half * xi],
+        }
+    }
 }

@@ -62,6 +62,17 @@ pub struct PointSpec<const D: usize> {
     pub density: f64,
     /// Mass, kg (nominal for methods whose points carry none).
     pub mass: f64,
+    /// Velocity gradient `[i][j] = ∂v_i/∂x_j`, 1/s: the start of affine fields; others ignore it.
+    #[serde(default = "zero_gradient", with = "axes2", skip_serializing_if = "is_zero")]
+    pub velocity_gradient: [[f64; D]; D],
+}
+
+fn zero_gradient<const D: usize>() -> [[f64; D]; D] {
+    [[0.0; D]; D]
+}
+
+fn is_zero<const D: usize>(gradient: &[[f64; D]; D]) -> bool {
+    gradient.iter().flatten().all(|&g| g == 0.0)
 }
 
 /// Everything a simulation starts from. What it does not list is not stored and not computed.
@@ -105,5 +116,34 @@ mod axes {
         values
             .try_into()
             .map_err(|_| S::Error::custom(format!("expected {D} entries, found {found}")))
+    }
+}
+
+/// Square matrices in scene files, as rows.
+mod axes2 {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub fn serialize<S: Serializer, const D: usize>(
+        rows: &[[f64; D]; D],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(rows.iter().map(|row| row.as_slice()))
+    }
+
+    pub fn deserialize<'de, S: Deserializer<'de>, const D: usize>(
+        deserializer: S,
+    ) -> Result<[[f64; D]; D], S::Error> {
+        let rows = Vec::<Vec<f64>>::deserialize(deserializer)?;
+        let fixed: Vec<[f64; D]> = rows
+            .into_iter()
+            .map(|row| {
+                let found = row.len();
+                row.try_into()
+                    .map_err(|_| S::Error::custom(format!("expected rows of {D}, found {found}")))
+            })
+            .collect::<Result<_, _>>()?;
+        let found = fixed.len();
+        fixed.try_into().map_err(|_| S::Error::custom(format!("expected {D} rows, found {found}")))
     }
 }

@@ -33,6 +33,10 @@ pub fn check_points<T: Scalar, const D: usize>(
             let value = format!("{:?}", point.velocity);
             return Err(InvalidInput::new(field("velocity"), value, "finite, in m/s"));
         }
+        if point.velocity_gradient.iter().flatten().any(|v| !v.is_finite()) {
+            let value = format!("{:?}", point.velocity_gradient);
+            return Err(InvalidInput::new(field("velocity_gradient"), value, "finite, in 1/s"));
+        }
         if grid.cell_of(point.position.map(T::lit)).is_none() {
             let value = format!("{:?}", point.position);
             return Err(InvalidInput::new(field("position"), value, "inside the grid's box, in m"));

@@ -13,6 +13,7 @@ use crate::quadrature::{Quadrature, classify};
 use crate::scene::Scene;
 use crate::scene_check::check_points;
 use crate::shape::ShapeFunction;
+use crate::simulation::StableTimeStep;
 use crate::step::{
     AffineOf, Center, Failure, GridState, ParticlesOf, Physics, ScatterParts, StateSource,
     StressOf, View, constrain, divergence, grid_to_particles, node_velocity, particles_to_grid,
@@ -20,6 +21,8 @@ use crate::step::{
 };
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
+use crate::time_step;
+use crate::transfer::Transfer;
 use crate::variants::StressUpdate;
 
 /// A simulation with all its types known.
@@ -78,6 +81,8 @@ where
                 T::lit(point.mass),
             );
             particles.cell[id] = grid.cell_of(position).unwrap_or(ABSENT);
+            let gradient = point.velocity_gradient.map(|row| row.map(T::lit));
+            particles.affine[id] = <M::Transfer as Transfer<T, D>>::affine_of(gradient);
         }
         let physics = Physics {
             equation_of_state,
@@ -145,7 +150,7 @@ where
     }
 
     /// Points → cells: sorts the points and numbers the cells and nodes that they touch.
-    fn bin_particles(&mut self) {
+    pub fn bin_particles(&mut self) {
         let Self { grid, cells, nodes, particles, spare, .. } = self;
         let binned = cells.bin(grid, particles, spare);
         self.counters.n_sorts += u64::from(binned != Binned::Unchanged);
@@ -169,7 +174,7 @@ where
     }
 
     /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.
-    fn particles_to_grid(&mut self) {
+    pub fn particles_to_grid(&mut self) {
         let uses_centers = <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells();
         let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
         let view = Self::view(method, physics, grid, cells, particles);
@@ -185,7 +190,7 @@ where
     }
 
     /// Nodes → nodes: the velocity at the end of the step.
-    fn update_grid(&mut self, dt: T) {
+    pub fn update_grid(&mut self, dt: T) {
         let Self { physics, nodes, .. } = self;
         let Nodes { velocity, increment, force, walls, .. } = nodes;
         constrain(walls, &physics.boundaries, velocity, None);
@@ -280,5 +285,37 @@ where
                 StepError::LeftDomain { id, position, time }
             }
         }
+    }
+}
+
+/// The time step of the points' present state.
+impl<T, const D: usize, M, K> Solver<T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    /// The smallest limit of [`time_step`] times `courant`, with its name.
+    ///
+    /// The acoustic limit is that of full cells for every method, so that all are run at the same
+    /// Courant number; a limit without a cause (no viscosity, no force) is infinite.
+    pub fn stable_time_step(&self, courant: f64) -> StableTimeStep {
+        let spacing = self.grid.spacing;
+        let (mut sound, mut speed) = (T::zero(), T::zero());
+        for (&density, v) in self.particles.density.iter().zip(&self.particles.velocity) {
+            sound = sound.max(self.physics.equation_of_state.sound_speed(density));
+            speed = speed.max(crate::math::dot(*v, *v));
+        }
+        let limits = [
+            ("acoustic", time_step::acoustic_cell(spacing, sound)),
+            ("advective", time_step::advective(spacing, speed.sqrt())),
+            ("viscous", time_step::viscous(spacing, self.physics.stress.viscosity())),
+            ("body-force", time_step::body_force(spacing, self.physics.body_force)),
+        ];
+        let (limit, dt) = limits.into_iter().fold(("none", f64::INFINITY), |least, (name, dt)| {
+            let dt = dt.as_f64();
+            if dt < least.1 { (name, dt) } else { least }
+        });
+        StableTimeStep { dt: courant * dt, limit }
     }
 }

@@ -31,6 +31,8 @@ pub struct Settings {
     pub gimp_length: f64,
     /// Volume of points in boundary cells (mixed quadrature).
     pub point_volume: PointVolume,
+    /// Divergence at the points of `tpm-vp`.
+    pub point_divergence: PointDivergence,
 }
 
 impl Default for Settings {
@@ -42,6 +44,7 @@ impl Default for Settings {
             positivity: None,
             gimp_length: 0.5,
             point_volume: PointVolume::Sphere,
+            point_divergence: PointDivergence::VertexMean,
         }
     }
 }
@@ -210,7 +213,7 @@ macro_rules! build {
                 let vp = Formulation::VelocityPressure;
                 match self {
                     Self::Tpm => recipe.transport_points(Formulation::Standard),
-                    Self::TpmVp => recipe.transport_points(vp(PointDivergence::Interpolated)),
+                    Self::TpmVp => recipe.transport_points(vp(settings.point_divergence)),
                     Self::Mpm => recipe.material_points(Linear, Formulation::Standard),
                     Self::Gimp => recipe.material_points(
                         Gimp { length: settings.gimp_length },

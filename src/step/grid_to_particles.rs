@@ -385,10 +385,8 @@ fn grid_xi<T: Scalar, const D: usize>(
 enum CellDivergence<T> {
     /// Trace of the velocity gradient at the point.
     AtPoint,
-    /// That of the cell.
-    Constant(T),
-    /// Values of the 3^D cells around, and 1 where a cell exists.
-    Interpolated([(T, T); 27]),
+    /// Weighted mean of the 3^D cells around.
+    Around(PointDivergence, [T; 27]),
 }
 
 impl<T: Scalar> CellDivergence<T> {
@@ -398,66 +396,49 @@ impl<T: Scalar> CellDivergence<T> {
         slot: usize,
         cell: [usize; D],
     ) -> Self {
+        let Formulation::VelocityPressure(kind) = state.method.formulation() else {
+            return Self::AtPoint;
+        };
         let values = state.source.divergence;
-        match state.method.formulation() {
-            Formulation::Standard => Self::AtPoint,
-            Formulation::VelocityPressure(PointDivergence::Constant) => {
-                Self::Constant(values[slot])
-            }
-            Formulation::VelocityPressure(PointDivergence::Interpolated) => {
-                let mut around = [(T::zero(), T::zero()); 27];
-                for (code, value) in around.iter_mut().enumerate().take(3_usize.pow(D as u32)) {
-                    let mut rest = code;
-                    let shift = std::array::from_fn(|_| {
-                        let step = (rest % 3) as i32 - 1;
-                        rest /= 3;
-                        step
-                    });
-                    if let Some(neighbor) = state.grid.neighbor(cell, shift) {
-                        let slot = state.cells.slot_of[neighbor];
-                        if slot != ABSENT {
-                            *value = (values[slot as usize], T::one());
-                        }
+        let mut around = [values[slot]; 27];
+        if kind != PointDivergence::Constant {
+            for (code, value) in around.iter_mut().enumerate().take(3_usize.pow(D as u32)) {
+                let mut rest = code;
+                let shift = std::array::from_fn(|axis| {
+                    let step = (rest % 3) as i32 - 1;
+                    rest /= 3;
+                    let beyond = (step < 0 && cell[axis] == 0)
+                        || (step > 0 && cell[axis] + 1 == state.grid.n_cells[axis]);
+                    if beyond && !state.grid.periodic[axis] { 0 } else { step }
+                });
+                if let Some(neighbor) = state.grid.neighbor(cell, shift) {
+                    let slot = state.cells.slot_of[neighbor];
+                    if slot != ABSENT {
+                        *value = values[slot as usize];
                     }
                 }
-                Self::Interpolated(around)
             }
         }
+        Self::Around(kind, around)
     }
 
     #[inline(always)]
     fn at<const D: usize>(&self, gradient: &[[T; D]; D], xi: &[T; D]) -> T {
-        match self {
-            Self::AtPoint => {
-                let mut trace = T::zero();
-                for axis in 0..D {
-                    trace += gradient[axis][axis];
-                }
-                trace
+        let (kind, around) = match self {
+            Self::AtPoint => return (0..D).fold(T::zero(), |sum, axis| sum + gradient[axis][axis]),
+            Self::Around(PointDivergence::Constant, around) => return around[0],
+            Self::Around(kind, around) => (*kind, around),
+        };
+        let weights = xi.map(|x| kind.weights(x));
+        let mut sum = T::zero();
+        for (code, value) in around.iter().enumerate().take(3_usize.pow(D as u32)) {
+            let (mut rest, mut weight) = (code, T::one());
+            for row in weights {
+                weight *= row[rest % 3];
+                rest /= 3;
             }
-            Self::Constant(value) => *value,
-            Self::Interpolated(around) => {
-                let (mut sum, mut total) = (T::zero(), T::zero());
-                for corner in 0..1_usize << D {
-                    let (mut code, mut stride, mut weight) = (0, 1, T::one());
-                    for axis in 0..D {
-                        let from_center = xi[axis] - T::lit(0.5);
-                        let away = from_center.abs();
-                        if corner >> axis & 1 == 0 {
-                            code += stride;
-                            weight *= T::one() - away;
-                        } else {
-                            code += if from_center > T::zero() { 2 * stride } else { 0 };
-                            weight *= away;
-                        }
-                        stride *= 3;
-                    }
-                    let (value, present) = around[code];
-                    sum += weight * value;
-                    total += weight * present;
-                }
-                sum / total
-            }
+            sum += weight * *value;
         }
+        sum
     }
 }

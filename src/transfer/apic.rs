@@ -31,6 +31,10 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Apic {
         std::array::from_fn(|row| affine.0[row][axis])
     }
 
+    fn affine_of(gradient: [[T; D]; D]) -> Tensor<T, D> {
+        Tensor(gradient)
+    }
+
     #[inline(always)]
     fn affine_from(columns: [[T; 4]; D], second_moment: [T; D]) -> Tensor<T, D> {
         let mut affine = Tensor::default();

@@ -35,6 +35,8 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Pic {
         [T::zero(); D]
     }
 
+    fn affine_of(_gradient: [[T; D]; D]) {}
+
     #[inline(always)]
     fn affine_from(_columns: [[T; 4]; D], _second_moment: [T; D]) {}
 }
@@ -56,6 +58,8 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Flip {
     fn affine_column(_affine: &(), _axis: usize) -> [T; D] {
         [T::zero(); D]
     }
+
+    fn affine_of(_gradient: [[T; D]; D]) {}
 
     #[inline(always)]
     fn affine_from(_columns: [[T; 4]; D], _second_moment: [T; D]) {}

@@ -32,6 +32,9 @@ pub trait Transfer<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     /// Column `axis` of the affine matrix C: the velocity change per metre along that axis, 1/s.
     fn affine_column(affine: &Self::Affine, axis: usize) -> [T; D];
 
+    /// Affine field of a point whose velocity gradient `[i][j] = ∂v_i/∂x_j` (1/s) is known.
+    fn affine_of(gradient: [[T; D]; D]) -> Self::Affine;
+
     /// Affine field from `columns[a] = Σ N v (x − x_p)_a` and the diagonal of
     /// `Σ N (x − x_p)(x − x_p)ᵀ`, m².
     fn affine_from(columns: [[T; 4]; D], second_moment: [T; D]) -> Self::Affine;
