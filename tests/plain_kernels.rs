@@ -28,7 +28,7 @@ fn difference<const D: usize>(a: &State<D>, b: &State<D>) -> f64 {
 }
 
 fn compare<const D: usize>(mut plain: impl Stepper<D>, mut generic: impl Stepper<D>) {
-    for _ in 0..20 {
+    for _ in 0..40 {
         plain.step(DT);
         generic.step(DT);
     }

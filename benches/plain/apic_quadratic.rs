@@ -8,7 +8,7 @@ use std::ops::Range;
 use fearless_simd::{Simd, prelude::*};
 
 use super::row::Row;
-use super::{Points, PointsMut, Real, scheme};
+use super::{Points, PointsMut, Real};
 
 scheme!(Apic2, 2, [T; 4], 2, true, "The 2D scheme.");
 scheme!(Apic3, 3, [T; 4], 2, true, "The 3D scheme.");

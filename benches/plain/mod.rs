@@ -82,8 +82,6 @@ macro_rules! scheme {
         }
     };
 }
-pub(crate) use scheme;
-
 pub mod apic_quadratic;
 pub mod mpm_linear;
 pub mod points;

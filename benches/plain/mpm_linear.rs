@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::{Simd, prelude::*};
 
-use super::{Points, PointsMut, Real, scheme};
+use super::{Points, PointsMut, Real};
 
 scheme!(Mpm2, 2, [[T; 4]; 2], 1, false, "The 2D scheme: nodes (momentum, mass, 0), (force, 0, 0).");
 scheme!(Mpm3, 3, [[T; 4]; 2], 1, false, "The 3D scheme: nodes (momentum, mass), (force, 0).");

@@ -18,7 +18,7 @@ pub enum Layout {
     /// A lattice of 2^D points per cell, jittered by at most 0.3 of the point spacing: no point is
     /// within a tenth of a cell of a face, so that short runs need no sorting.
     Jittered,
-    /// 2^D points per cell at random, at least a hundredth of a cell away from the walls: some point
+    /// 2^D points per cell at random, at least 0.002 of a cell away from the walls: some point
     /// changes cell in nearly every step.
     Random,
 }
@@ -45,7 +45,7 @@ pub fn scene_of_cells<const D: usize>(cells: [usize; D], layout: Layout) -> Scen
                     Layout::Jittered => {
                         0.25 + 0.5 * f64::from(u8::from(corner >> a & 1 == 1)) + 0.15 * (2.0 * u - 1.0)
                     }
-                    Layout::Random => 0.01 + 0.98 * u,
+                    Layout::Random => 0.002 + 0.996 * u,
                 };
                 position[a] = (cell as f64 + inside) * SPACING;
             }
@@ -76,7 +76,8 @@ fn point<const D: usize>(position: [f64; D], cells: [usize; D], volume: f64) -> 
     });
     let wave: f64 = phase.iter().map(|p| (2.0 * p).cos()).product();
     let density = REFERENCE_DENSITY * (1.0 + 1e-3 * wave);
-    PointSpec { position, velocity, density, mass: density * volume }
+    let velocity_gradient = [[0.0; D]; D];
+    PointSpec { position, velocity, density, mass: density * volume, velocity_gradient }
 }
 
 /// A small generator (SplitMix64): the same points on every machine, with no crate's version in between.
