@@ -19,8 +19,7 @@ pub struct Generic<T: Scalar, const D: usize, M: Method<T, D>, K: DeviatoricStre
 );
 
 /// The transport point method as `Variant::Tpm` builds it.
-pub type TpmScheme<T> =
-    Scheme<Linear, MovingLeastSquares<basis::Linear, T>, Mixed, Flip>;
+pub type TpmScheme = Scheme<Linear, MovingLeastSquares<basis::Linear, f64>, Mixed, Flip>;
 /// Linear MPM as `Variant::Mpm` builds it.
 pub type MpmScheme = Scheme<Linear, Carried, Particle, Flip>;
 /// Quadratic APIC as `Variant::Apic` builds it.
@@ -32,12 +31,9 @@ pub fn apic<T: Scalar, const D: usize>(scene: &Scene<D>) -> Generic<T, D, ApicSc
 }
 
 /// Quadratic B-splines, affine transfer, viscous fluid.
-pub fn viscous_apic<T: Scalar, const D: usize>(
+pub fn viscous_apic<const D: usize>(
     scene: &Scene<D>,
-) -> Generic<T, D, ApicScheme, Newtonian<f64>>
-where
-    Newtonian<f64>: DeviatoricStress<T, D>,
-{
+) -> Generic<f64, D, ApicScheme, Newtonian<f64>> {
     let stress = Newtonian { viscosity: 1e-6 };
     build(scene, scheme(QuadraticBspline, Carried, Particle, Apic), stress)
 }
@@ -48,18 +44,20 @@ pub fn mpm<T: Scalar, const D: usize>(scene: &Scene<D>) -> Generic<T, D, MpmSche
 }
 
 /// Moving least squares with a linear basis, Gauss points in full cells, FLIP.
-pub fn tpm<T: Scalar>(scene: &Scene<2>) -> Generic<T, 2, TpmScheme<T>, Inviscid>
-where
-    TpmScheme<T>: Method<T, 2>,
-{
-    let reconstruction = MovingLeastSquares::new(T::one());
+pub fn tpm(scene: &Scene<2>) -> Generic<f64, 2, TpmScheme, Inviscid> {
+    let reconstruction = MovingLeastSquares::new(1.0);
     let quadrature = Mixed { point_volume: PointVolume::Sphere };
     build(scene, scheme(Linear, reconstruction, quadrature, FLIP), Inviscid)
 }
 
 const FLIP: Flip = Flip { blend: Blend::PerStep(1.0) };
 
-fn scheme<S, R, Q, X>(shape: S, reconstruction: R, quadrature: Q, transfer: X) -> Scheme<S, R, Q, X> {
+fn scheme<S, R, Q, X>(
+    shape: S,
+    reconstruction: R,
+    quadrature: Q,
+    transfer: X,
+) -> Scheme<S, R, Q, X> {
     Scheme {
         shape,
         reconstruction,

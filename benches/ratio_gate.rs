@@ -8,11 +8,11 @@ mod generic;
 mod plain;
 mod timing;
 
+use plain::Stepper;
 use plain::apic_quadratic::{Apic2, Apic3};
 use plain::mpm_linear::{Mpm2, Mpm3};
 use plain::scene::{DT, Layout, scene};
 use plain::tpm_linear::Tpm2;
-use plain::Stepper;
 use timing::{in_turns, short, thread_time, wall_time};
 
 /// Largest ratio that passes; the target is 1.3.
@@ -37,8 +37,12 @@ fn row<const D: usize>(
     let repetitions = if short() { 60 } else { 200 };
     let [g, p] = in_turns(repetitions, thread_time, || generic.step(DT), || plain.step(DT));
     let per_point = 1e9 / n_points as f64;
-    let row =
-        Row { name, generic: g * per_point, plain: p * per_point, bytes: generic.bytes_per_point() };
+    let row = Row {
+        name,
+        generic: g * per_point,
+        plain: p * per_point,
+        bytes: generic.bytes_per_point(),
+    };
     println!(
         "{:24} {:8} {:10.1} {:10.1} {:7.2} {:6} {:6} {:6}",
         row.name,
@@ -65,7 +69,7 @@ fn rows() -> Vec<Row> {
         row("apic-2d-f32", n2, generic::apic::<f32, 2>(&square), Apic2::<f32>::new(&square)),
         row("mpm-3d-f64", n3, generic::mpm::<f64, 3>(&cube), Mpm3::<f64>::new(&cube)),
         row("mpm-2d-f64", n2, generic::mpm::<f64, 2>(&square), Mpm2::<f64>::new(&square)),
-        row("tpm-2d-f64", n2, generic::tpm::<f64>(&square), Tpm2::<f64>::new(&square)),
+        row("tpm-2d-f64", n2, generic::tpm(&square), Tpm2::<f64>::new(&square)),
     ];
     let (square, cube) = (scene::<2>(n, sorting), scene::<3>(n, sorting));
     rows.extend([

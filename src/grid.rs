@@ -89,15 +89,11 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
         for axis in 0..D {
             let s = self.in_cells(position, axis);
             let n = self.n_cells[axis];
-            let cell = s.truncate_to_i64();
-            if !(s >= T::zero()) || cell > n as i64 {
+            let end = T::from_index(n);
+            if !(s >= T::zero() && s <= end) {
                 return None;
             }
-            let cell = cell as usize;
-            if cell == n && s > T::lit(n as f64) {
-                return None;
-            }
-            index = index * n + cell.min(n - 1);
+            index = index * n + (s.truncate() as usize).min(n - 1);
         }
         Some(index as u32)
     }
@@ -152,7 +148,7 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
     ) -> AxisPosition<T> {
         AxisPosition {
             cell: cell[axis],
-            xi: self.in_cells(position, axis) - T::lit(cell[axis] as f64),
+            xi: self.in_cells(position, axis) - T::from_index(cell[axis]),
             n_cells: self.n_cells[axis],
             periodic: self.periodic[axis],
         }
@@ -187,8 +183,8 @@ fn check_axis<const D: usize>(
         return Err(InvalidInput::new(field, spec.origin[axis], "a finite coordinate in m"));
     }
     let cells = spec.cells[axis];
-    if cells == 0 || cells > u32::MAX as usize {
-        return Err(InvalidInput::new(format!("grid.cells[{axis}]"), cells, "1 to 2³² − 1 cells"));
+    if cells == 0 || cells > i32::MAX as usize {
+        return Err(InvalidInput::new(format!("grid.cells[{axis}]"), cells, "1 to 2³¹ − 1 cells"));
     }
     if (faces[0] == Boundary::Periodic) != (faces[1] == Boundary::Periodic) {
         let field = format!("boundaries[{axis}]");

@@ -16,6 +16,7 @@ pub mod particles;
 pub mod cells;
 pub mod nodes;
 pub mod shape;
+mod simd;
 pub mod stencil;
 
 pub mod basis;

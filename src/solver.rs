@@ -15,9 +15,9 @@ use crate::scene_check::check_points;
 use crate::shape::ShapeFunction;
 use crate::simulation::StableTimeStep;
 use crate::step::{
-    AffineOf, Center, Failure, GridState, ParticlesOf, Physics, ScatterParts, StateSource,
-    StressOf, View, constrain, divergence, grid_to_particles, node_velocity, particles_to_grid,
-    rebuild_centers, update_grid,
+    AffineOf, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics, ScatterParts,
+    StateSource, StressOf, View, constrain, divergence, fuses_impulse, grid_to_particles,
+    node_velocity, particles_to_grid, rebuild_centers, update_grid,
 };
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
@@ -53,6 +53,7 @@ where
     pub time: f64,
     spare: Particles<T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
     divergence: Vec<T>,
+    strain_is_rebuilt: bool,
 }
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
@@ -102,6 +103,7 @@ where
             time: 0.0,
             spare: Particles::default(),
             divergence: Vec::new(),
+            strain_is_rebuilt: false,
         };
         solver.bin_particles();
         Ok(solver)
@@ -114,25 +116,29 @@ where
     pub fn advance(&mut self, dt: T) -> Result<(), StepError> {
         self.bin_particles();
         self.count_work();
-        self.particles_to_grid();
         match self.method.stress_update() {
             StressUpdate::First => {
-                self.strain_from_start();
-                self.update_state::<false>(dt)?;
-                self.particles_to_grid();
+                self.strain_from_points();
+                self.grid_to_particles(dt, Pass { state: true, ..Pass::default() })?;
+                self.particles_to_grid(dt);
                 self.update_grid(dt);
-                self.gather::<true, false, true>(dt)?;
+                let pass = Pass { velocity: true, state: false, motion: true };
+                self.grid_to_particles(dt, pass)?;
             }
             StressUpdate::Last => {
+                self.particles_to_grid(dt);
                 self.update_grid(dt);
-                self.update_divergence(false);
-                self.gather::<true, true, true>(dt)?;
+                self.strain_from_nodes();
+                let pass = Pass { velocity: true, state: true, motion: true };
+                self.grid_to_particles(dt, pass)?;
             }
             StressUpdate::ModifiedLast => {
+                self.particles_to_grid(dt);
                 self.update_grid(dt);
-                self.gather::<true, false, false>(dt)?;
+                self.grid_to_particles(dt, Pass { velocity: true, ..Pass::default() })?;
                 self.strain_from_points();
-                self.update_state::<true>(dt)?;
+                let pass = Pass { velocity: false, state: true, motion: true };
+                self.grid_to_particles(dt, pass)?;
             }
         }
         self.time += dt.as_f64();
@@ -174,7 +180,7 @@ where
     }
 
     /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.
-    pub fn particles_to_grid(&mut self) {
+    pub fn particles_to_grid(&mut self, dt: T) {
         let uses_centers = <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells();
         let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
         let view = Self::view(method, physics, grid, cells, particles);
@@ -183,7 +189,7 @@ where
             centers.resize(cells.len(), Center::default());
             counters = counters.sum(rebuild_centers(&view, centers));
         }
-        counters = counters.sum(particles_to_grid(&view, centers, ScatterParts::All, nodes));
+        counters = counters.sum(particles_to_grid(&view, centers, (ScatterParts::All, dt), nodes));
         let Nodes { index, transfer, velocity, .. } = nodes;
         counters = counters.sum(node_velocity(&view, index, transfer, velocity));
         self.counters = self.counters.sum(counters);
@@ -192,72 +198,62 @@ where
     /// Nodes → nodes: the velocity at the end of the step.
     pub fn update_grid(&mut self, dt: T) {
         let Self { physics, nodes, .. } = self;
-        let Nodes { velocity, increment, force, walls, .. } = nodes;
+        let Nodes { velocity, increment, transfer, force, walls, .. } = nodes;
+        let forces = if fuses_impulse::<T, D, M>() {
+            NodeForces::Fused(transfer)
+        } else {
+            NodeForces::Separate(force)
+        };
         constrain(walls, &physics.boundaries, velocity, None);
-        update_grid(dt, physics.body_force, force, (velocity, increment));
+        update_grid(dt, physics.body_force, forces, (velocity, increment));
         constrain(walls, &physics.boundaries, velocity, Some(increment));
     }
 
-    /// Strain from the velocity at the start of the step (USF).
-    fn strain_from_start(&mut self) {
-        let Self { physics, nodes, .. } = self;
-        nodes.rebuilt.clear();
-        nodes.rebuilt.extend_from_slice(&nodes.velocity);
-        constrain(&nodes.walls, &physics.boundaries, &mut nodes.rebuilt, None);
-        self.update_divergence(true);
+    /// The state update takes its strain from the velocity at the end of the step (USL).
+    pub fn strain_from_nodes(&mut self) {
+        self.strain_is_rebuilt = false;
+        self.update_divergence();
     }
 
-    /// Strain from node velocities rebuilt from the advanced points (MUSL).
-    fn strain_from_points(&mut self) {
+    /// The state update takes its strain from node velocities rebuilt from the points as they are:
+    /// before the forces (USF) or after them (MUSL).
+    pub fn strain_from_points(&mut self) {
         let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
         let view = Self::view(method, physics, grid, cells, particles);
-        let mut counters = particles_to_grid(&view, centers, ScatterParts::Momentum, nodes);
+        let parts = (ScatterParts::Momentum, T::zero());
+        let mut counters = particles_to_grid(&view, centers, parts, nodes);
         let Nodes { index, transfer, rebuilt, walls, .. } = nodes;
         rebuilt.resize(index.len(), [T::zero(); 4]);
         counters = counters.sum(node_velocity(&view, index, transfer, rebuilt));
         constrain(walls, &physics.boundaries, rebuilt, None);
         self.counters = self.counters.sum(counters);
-        self.update_divergence(true);
+        self.strain_is_rebuilt = true;
+        self.update_divergence();
     }
 
     /// One divergence per cell, where the formulation asks for it.
-    fn update_divergence(&mut self, from_rebuilt: bool) {
+    fn update_divergence(&mut self) {
         if !self.uses_cells() {
             return;
         }
         let Self { method, grid, cells, nodes, divergence: values, .. } = self;
-        let velocity = if from_rebuilt { &nodes.rebuilt } else { &nodes.velocity };
+        let velocity = if self.strain_is_rebuilt { &nodes.rebuilt } else { &nodes.velocity };
         values.resize(cells.len(), T::zero());
         divergence((grid, cells, &method.shape()), &nodes.rows, velocity, values);
     }
 
-    /// Density and stress from the strain velocity, and the motion if `MOVE`.
-    fn update_state<const MOVE: bool>(&mut self, dt: T) -> Result<(), StepError> {
-        self.pass::<false, true, MOVE>(dt, true)
-    }
-
-    /// Velocity, and with it what else is asked for, from the velocity at the end of the step.
-    fn gather<const VELOCITY: bool, const STATE: bool, const MOVE: bool>(
-        &mut self,
-        dt: T,
-    ) -> Result<(), StepError> {
-        self.pass::<VELOCITY, STATE, MOVE>(dt, false)
-    }
-
-    fn pass<const VELOCITY: bool, const STATE: bool, const MOVE: bool>(
-        &mut self,
-        dt: T,
-        from_rebuilt: bool,
-    ) -> Result<(), StepError> {
+    /// Nodes and cells → points.
+    ///
+    /// # Errors
+    /// When a point fails.
+    pub fn grid_to_particles(&mut self, dt: T, pass: Pass) -> Result<(), StepError> {
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
-        let source = StateSource {
-            velocity: if from_rebuilt { &nodes.rebuilt } else { &nodes.velocity },
-            divergence,
-        };
+        let rebuilt = self.strain_is_rebuilt;
+        let velocity = if rebuilt { &nodes.rebuilt } else { &nodes.velocity };
+        let source = StateSource { velocity, is_end_velocity: !rebuilt, divergence };
         let Nodes { rows, velocity, increment, .. } = &*nodes;
         let state = GridState { method, physics, grid, cells, rows, velocity, increment, source };
-        let outcome =
-            grid_to_particles::<T, D, M, K, VELOCITY, STATE, MOVE>(&state, dt, particles.view());
+        let outcome = grid_to_particles(&state, pass, dt, particles.view());
         self.counters.n_points_removed += outcome.n_removed;
         outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
     }

@@ -15,13 +15,15 @@ pub fn rows_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     cell: [usize; D],
     position: [T; D],
 ) -> Rows<T, D> {
-    std::array::from_fn(|axis| {
-        let mut row = shape.row(grid.axis_position(position, cell, axis));
+    let zero = [T::zero(); MAX_WIDTH];
+    let mut rows = [Row { first: 0, weight: zero, gradient: zero }; D];
+    for axis in 0..D {
+        rows[axis] = shape.row(grid.axis_position(position, cell, axis));
         for k in 0..S::WIDTH {
-            row.gradient[k] *= grid.inverse_spacing[axis];
+            rows[axis].gradient[k] *= grid.inverse_spacing[axis];
         }
-        row
-    })
+    }
+    rows
 }
 
 /// Evaluates the shape functions at the centre of a cell.
@@ -32,7 +34,7 @@ pub fn rows_at_center<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     cell: [usize; D],
 ) -> Rows<T, D> {
     let center = std::array::from_fn(|axis| {
-        grid.origin[axis] + grid.spacing[axis] * T::lit(cell[axis] as f64 + 0.5)
+        grid.origin[axis] + grid.spacing[axis] * (T::from_index(cell[axis]) + T::lit(0.5))
     });
     rows_at(shape, grid, cell, center)
 }
@@ -62,10 +64,22 @@ pub struct OuterRow<T, const D: usize> {
     pub row: usize,
     /// Product of the weights of the outer axes.
     pub weight: T,
-    /// The same product with the derivative along one outer axis in place of its weight.
-    pub gradient: [T; D],
     /// Index along each outer axis.
     pub index: [usize; D],
+}
+
+impl<T: Scalar, const D: usize> OuterRow<T, D> {
+    /// The product of weights with `values` in place of the weight along `axis`.
+    #[inline(always)]
+    pub fn replace(&self, rows: &Rows<T, D>, axis: usize, values: &[T; MAX_WIDTH]) -> T {
+        let mut product = values[self.index[axis]];
+        for other in 0..D - 1 {
+            if other != axis {
+                product *= rows[other].weight[self.index[other]];
+            }
+        }
+        product
+    }
 }
 
 /// Visits the stencil rows that a point touches.
@@ -75,15 +89,13 @@ pub fn for_each_outer_row<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     mut visit: impl FnMut(OuterRow<T, D>),
 ) {
     let mut index = [0; D];
-    let mut gradient = [T::zero(); D];
     match D {
-        1 => visit(OuterRow { row: 0, weight: T::one(), gradient, index }),
+        1 => visit(OuterRow { row: 0, weight: T::one(), index }),
         2 => {
             for i in 0..S::WIDTH {
                 index[0] = i;
-                gradient[0] = rows[0].gradient[i];
                 let (row, weight) = (rows[0].first + i, rows[0].weight[i]);
-                visit(OuterRow { row, weight, gradient, index });
+                visit(OuterRow { row, weight, index });
             }
         }
         _ => {
@@ -91,13 +103,28 @@ pub fn for_each_outer_row<T: Scalar, const D: usize, S: ShapeFunction<T>>(
                 for j in 0..S::WIDTH {
                     index[0] = i;
                     index[1] = j;
-                    gradient[0] = rows[0].gradient[i] * rows[1].weight[j];
-                    gradient[1] = rows[0].weight[i] * rows[1].gradient[j];
                     let row = (rows[0].first + i) * S::REACH + rows[1].first + j;
                     let weight = rows[0].weight[i] * rows[1].weight[j];
-                    visit(OuterRow { row, weight, gradient, index });
+                    visit(OuterRow { row, weight, index });
                 }
             }
         }
     }
+}
+
+/// First moments N (x_i − x_p) of each axis' functions about a point, m.
+#[inline(always)]
+pub fn moments_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
+    rows: &Rows<T, D>,
+    node_at: &[[T; MAX_WIDTH]; D],
+    position: [T; D],
+) -> [[T; MAX_WIDTH]; D] {
+    let mut moments = [[T::zero(); MAX_WIDTH]; D];
+    for axis in 0..D {
+        for k in 0..S::WIDTH {
+            let offset = node_at[axis][rows[axis].first + k] - position[axis];
+            moments[axis][k] = rows[axis].weight[k] * offset;
+        }
+    }
+    moments
 }

@@ -64,11 +64,14 @@ fn mpm_in_3d_equals_the_generic_step() {
 #[test]
 fn tpm_in_2d_equals_the_generic_step() {
     let scene = scene_of_cells([12, 9], Layout::Random);
-    compare(Tpm2::<f64>::new(&scene), generic::tpm::<f64>(&scene));
+    compare(Tpm2::<f64>::new(&scene), generic::tpm(&scene));
 }
 
 /// Σ over the nodes of the first `D` lanes and of lane `mass`.
-fn node_totals<const D: usize>(rows: impl Iterator<Item = [f64; 4]>, mass: usize) -> (f64, [f64; D]) {
+fn node_totals<const D: usize>(
+    rows: impl Iterator<Item = [f64; 4]>,
+    mass: usize,
+) -> (f64, [f64; D]) {
     rows.fold((0.0, [0.0; D]), |(m, v), row| {
         (m + row[mass], std::array::from_fn(|a| v[a] + row[a]))
     })

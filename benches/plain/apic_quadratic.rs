@@ -69,8 +69,7 @@ impl<T: Real> Apic3<T> {
             let (push_x, push_y) = (impulse * rx.slope[i], impulse * rx.value[i]);
             let cy = cy * splat(rx.value[i]);
             for j in 0..3 {
-                let push =
-                    [push_x * ry.value[j], push_y * ry.slope[j], T::zero(), T::zero()];
+                let push = [push_x * ry.value[j], push_y * ry.slope[j], T::zero(), T::zero()];
                 let row = in_x * splat(ry.value[j]) + cy * splat(ry.moment[j]) + four(push);
                 let weight = splat(rx.value[i] * ry.value[j]);
                 let first = (i * (ny + 2) + j) * (nz + 2);
@@ -314,9 +313,8 @@ impl<T: Real> Apic2<T> {
             let row: [T::Four<S>; 3] =
                 std::array::from_fn(|j| T::Four::load_array_ref(simd, &nodes[j]));
             let line = row[0] * factors[0] + row[1] * factors[1] + row[2] * factors[2];
-            let slope = ry.slope[0] * nodes[0][1]
-                + ry.slope[1] * nodes[1][1]
-                + ry.slope[2] * nodes[2][1];
+            let slope =
+                ry.slope[0] * nodes[0][1] + ry.slope[1] * nodes[1][1] + ry.slope[2] * nodes[2][1];
             divergence += rx.slope[i] * line.as_array()[0] + rx.value[i] * slope;
             sum = sum + line * splat(rx.value[i]);
             bx = bx + line * splat(rx.moment[i]);

@@ -179,4 +179,3 @@ pub fn two_colours<N: Send>(
         }
     }
 }
-

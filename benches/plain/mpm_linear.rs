@@ -136,10 +136,10 @@ impl<T: Real> Mpm3<T> {
         let [rx, ry, rz] = [0, 1, 2].map(|a| hats(x[a], cell[a], per_h));
         let slope = [-per_h, per_h];
         // Sums of N v⁺ (with N_z' v⁺_z in the last lane) and of N Δt a.
-        let (mut v, mut increment, mut divergence) = (splat(T::zero()), splat(T::zero()), T::zero());
+        let (mut v, mut increment, mut divergence) =
+            (splat(T::zero()), splat(T::zero()), T::zero());
         let weight_z = rz.map(splat);
-        let factor_z =
-            [0, 1].map(|k| T::Four::load_array(simd, [rz[k], rz[k], rz[k], slope[k]]));
+        let factor_z = [0, 1].map(|k| T::Four::load_array(simd, [rz[k], rz[k], rz[k], slope[k]]));
         for i in 0..2 {
             for j in 0..2 {
                 let first = (i * (ny + 1) + j) * (nz + 1);
@@ -266,7 +266,9 @@ pub fn gather_layers2<S: Simd, T: Real, N>(
                 let along_y = |i: usize| corner[i][0] * splat(ry[0]) + corner[i][1] * splat(ry[1]);
                 let (low, high) = (along_y(0), along_y(1));
                 let slope_x = (high + low * splat(-T::one())).to_array()[0];
-                let at_y = |j: usize| corner[0][j].as_array()[1] * rx[0] + corner[1][j].as_array()[1] * rx[1];
+                let at_y = |j: usize| {
+                    corner[0][j].as_array()[1] * rx[0] + corner[1][j].as_array()[1] * rx[1]
+                };
                 let divergence = (slope_x + (at_y(1) - at_y(0))) * per_h;
                 let sum = (low * splat(rx[0]) + high * splat(rx[1])).to_array();
                 let (motion, change) = ([sum[0], sum[1]], [sum[2], sum[3]]);

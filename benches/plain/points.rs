@@ -230,7 +230,8 @@ impl<T: Real, const D: usize> PointsMut<'_, T, D> {
         let (low, high) = self.split(first);
         let low = || low.slabs(layers.start..middle, work);
         let high = || high.slabs(middle..layers.end, work);
-        let (low, high) = if rayon::current_num_threads() > 1 { rayon::join(low, high) } else { (low(), high()) };
+        let (low, high) =
+            if rayon::current_num_threads() > 1 { rayon::join(low, high) } else { (low(), high()) };
         low | high
     }
 

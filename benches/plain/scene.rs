@@ -43,7 +43,8 @@ pub fn scene_of_cells<const D: usize>(cells: [usize; D], layout: Layout) -> Scen
                 rest /= cells[a];
                 let inside = match layout {
                     Layout::Jittered => {
-                        0.25 + 0.5 * f64::from(u8::from(corner >> a & 1 == 1)) + 0.15 * (2.0 * u - 1.0)
+                        0.25 + 0.5 * f64::from(u8::from(corner >> a & 1 == 1))
+                            + 0.15 * (2.0 * u - 1.0)
                     }
                     Layout::Random => 0.002 + 0.996 * u,
                 };
@@ -67,9 +68,8 @@ pub fn scene_of_cells<const D: usize>(cells: [usize; D], layout: Layout) -> Scen
 
 /// A point of a standing wave: velocity zero through the walls, density a thousandth off at most.
 fn point<const D: usize>(position: [f64; D], cells: [usize; D], volume: f64) -> PointSpec<D> {
-    let phase: [f64; D] = std::array::from_fn(|a| {
-        std::f64::consts::PI * position[a] / (SPACING * cells[a] as f64)
-    });
+    let phase: [f64; D] =
+        std::array::from_fn(|a| std::f64::consts::PI * position[a] / (SPACING * cells[a] as f64));
     let velocity = std::array::from_fn(|a| {
         let others: f64 = (0..D).filter(|&b| b != a).map(|b| phase[b].cos()).product();
         0.1 * (1.0 + a as f64) * phase[a].sin() * others

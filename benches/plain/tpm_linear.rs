@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use transpoint::Scene;
 
 use super::mpm_linear::gather_layers2;
-use super::{Stepper, Points, Real, State};
+use super::{Points, Real, State, Stepper};
 
 /// The 2D scheme.
 pub struct Tpm2<T> {
@@ -151,10 +151,11 @@ fn fit<S: Simd, T: Real, const F: usize>(
             let y = four(q.map(|p| points.position[p][1])) * splat(per_h) + splat(-at[1]);
             let mut weight = spline::<S, T>(simd, x) * spline::<S, T>(simd, y);
             if chunk + 4 > end {
-                weight = weight
-                    * four(std::array::from_fn(|l| {
-                        if chunk + l < end { T::one() } else { T::zero() }
-                    }));
+                weight =
+                    weight
+                        * four(std::array::from_fn(|l| {
+                            if chunk + l < end { T::one() } else { T::zero() }
+                        }));
             }
             let (wx, wy) = (weight * x, weight * y);
             let terms = [weight, wx, wy, wx * x, wx * y, wy * y];

@@ -36,7 +36,7 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
                 PointVolumes::Sphere(cloud, cell)
             }
             PointVolume::CarriedCapped => {
-                PointVolumes::Capped(cell_volume / T::lit(points.len() as f64))
+                PointVolumes::Capped(cell_volume / T::from_index(points.len()))
             }
             PointVolume::VolumeFraction => {
                 let carried =
@@ -61,11 +61,11 @@ pub(super) fn sphere_volume<T: Scalar, const D: usize>(
     let position = cloud.position[point];
     let target = std::array::from_fn(|axis| cloud.grid.in_cells(position, axis));
     let mut neighborhood =
-        Neighborhood { first: cell.map(|c| c as i64 - 1), end: cell.map(|c| c as i64 + 2) };
+        Neighborhood { first: cell.map(|c| c as i32 - 1), end: cell.map(|c| c as i32 + 2) };
     for axis in 0..D {
         if !cloud.grid.periodic[axis] {
             neighborhood.first[axis] = neighborhood.first[axis].max(0);
-            neighborhood.end[axis] = neighborhood.end[axis].min(cloud.grid.n_cells[axis] as i64);
+            neighborhood.end[axis] = neighborhood.end[axis].min(cloud.grid.n_cells[axis] as i32);
         }
     }
     let mut nearest = widest * widest;

@@ -23,9 +23,9 @@ pub struct Cloud<'a, T, const D: usize> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Neighborhood<const D: usize> {
     /// First cell per axis, possibly negative on a periodic axis.
-    pub first: [i64; D],
+    pub first: [i32; D],
     /// One past the last cell per axis.
-    pub end: [i64; D],
+    pub end: [i32; D],
 }
 
 impl<const D: usize> Neighborhood<D> {
@@ -36,16 +36,16 @@ impl<const D: usize> Neighborhood<D> {
         let mut end = [0; D];
         for axis in 0..D {
             // Shifted to positive numbers, since truncation is only a floor there.
-            let lift = 16_i64;
-            let lifted = target[axis] + T::lit(lift as f64);
-            first[axis] = (lifted - reach).truncate_to_i64() - lift;
+            let lift = 16;
+            let lifted = target[axis] + T::from_index(16);
+            first[axis] = (lifted - reach).truncate() - lift;
             let upper = lifted + reach;
-            let whole = upper.truncate_to_i64();
-            let partial = i64::from(T::lit(whole as f64) < upper);
+            let whole = upper.truncate();
+            let partial = i32::from(T::from_index(whole as usize) < upper);
             end[axis] = whole + partial - lift;
             if !grid.periodic[axis] {
                 first[axis] = first[axis].max(0);
-                end[axis] = end[axis].min(grid.n_cells[axis] as i64);
+                end[axis] = end[axis].min(grid.n_cells[axis] as i32);
             }
         }
         Self { first, end }
@@ -86,11 +86,11 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
     }
 
     #[inline(always)]
-    fn visit_cell(&self, at: [i64; D], target: [T; D], visit: &mut impl FnMut(usize, [T; D])) {
+    fn visit_cell(&self, at: [i32; D], target: [T; D], visit: &mut impl FnMut(usize, [T; D])) {
         let mut index = 0;
         let mut base = [T::zero(); D];
         for axis in 0..D {
-            let n = self.grid.n_cells[axis] as i64;
+            let n = self.grid.n_cells[axis] as i32;
             let mut wrapped = at[axis];
             let mut shift = 0;
             if wrapped < 0 || wrapped >= n {
@@ -98,7 +98,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
                 shift = at[axis] - wrapped;
             }
             index = index * n as usize + wrapped as usize;
-            base[axis] = T::lit(shift as f64) - target[axis];
+            base[axis] = T::lit(f64::from(shift)) - target[axis];
         }
         let slot = self.cells.slot_of[index];
         if slot == ABSENT {

@@ -50,10 +50,10 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     #[inline(always)]
     fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T {
         if periodic {
-            return T::lit(index as f64 - 0.5);
+            return T::from_index(index) - T::lit(0.5);
         }
         let knots = clamped_knot(index, 1, n_cells) + clamped_knot(index, 0, n_cells);
-        T::lit(knots as f64 / 2.0)
+        T::from_index(knots) / T::lit(2.0)
     }
 }
 
@@ -91,10 +91,10 @@ impl<T: Scalar> ShapeFunction<T> for CubicBspline {
     #[inline(always)]
     fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T {
         if periodic {
-            return T::lit(index as f64 - 1.0);
+            return T::from_index(index) - T::one();
         }
         let knots: usize = (0..3).map(|back| clamped_knot(index, back, n_cells)).sum();
-        T::lit(knots as f64 / 3.0)
+        T::from_index(knots) / T::lit(3.0)
     }
 }
 
@@ -137,8 +137,8 @@ fn uniform_cubic<T: Scalar>(xi: T) -> Row<T> {
 #[inline]
 fn clamped_cubic<T: Scalar>(at: AxisPosition<T>) -> Row<T> {
     const DEGREE: usize = MAX_WIDTH - 1;
-    let from_below = |k: usize| at.xi + T::lit(k.min(at.cell) as f64);
-    let to_above = |k: usize| T::lit((k + 1).min(at.n_cells - at.cell) as f64) - at.xi;
+    let from_below = |k: usize| at.xi + T::from_index(k.min(at.cell));
+    let to_above = |k: usize| T::from_index((k + 1).min(at.n_cells - at.cell)) - at.xi;
 
     let mut weight = [T::one(), T::zero(), T::zero(), T::zero()];
     let mut gradient = [T::zero(); MAX_WIDTH];
@@ -150,7 +150,7 @@ fn clamped_cubic<T: Scalar>(at: AxisPosition<T>) -> Row<T> {
             let share = weight[r] / (above + below);
             weight[r] = carried + above * share;
             carried = below * share;
-            let slope = T::lit(degree as f64) * share;
+            let slope = T::from_index(degree) * share;
             gradient[r] = carried_slope - slope;
             carried_slope = slope;
         }

@@ -64,6 +64,6 @@ impl<T: Scalar> ShapeFunction<T> for Gimp<T> {
 
     #[inline(always)]
     fn node_coordinate(&self, index: usize, _n_cells: usize, _periodic: bool) -> T {
-        T::lit(index as f64 - 1.0)
+        T::from_index(index) - T::one()
     }
 }

@@ -36,6 +36,6 @@ impl<T: Scalar> ShapeFunction<T> for Linear {
 
     #[inline(always)]
     fn node_coordinate(&self, index: usize, _n_cells: usize, _periodic: bool) -> T {
-        T::lit(index as f64)
+        T::from_index(index)
     }
 }

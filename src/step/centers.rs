@@ -139,7 +139,8 @@ pub fn divergence<T: Scalar, const D: usize, S: ShapeFunction<T>>(
                 let start = starts[outer.row] as usize + last.first;
                 for (k, v) in velocity[start..start + S::WIDTH].iter().enumerate() {
                     for axis in 0..D - 1 {
-                        sum += outer.gradient[axis] * last.weight[k] * v[axis];
+                        let gradient = outer.replace(&at, axis, &at[axis].gradient);
+                        sum += gradient * last.weight[k] * v[axis];
                     }
                     sum += outer.weight * last.gradient[k] * v[D - 1];
                 }

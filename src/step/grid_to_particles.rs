@@ -1,17 +1,20 @@
 //! Nodes and cells → points: velocity, density, stress and position.
 
+use std::marker::PhantomData;
+
 use super::{AffineOf, CELL_GRAIN, Physics, StressOf};
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
 use crate::formulation::{Formulation, PointDivergence};
 use crate::grid::Grid;
-use crate::math::{add_row, narrow};
+use crate::math::narrow;
 use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
 use crate::scene::Boundary;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::stencil::{Rows, for_each_outer_row, node_positions, rows_at};
+use crate::simd::{Simd, SimdBase as _, load, splat, vectorized};
+use crate::stencil::{Rows, for_each_outer_row, moments_at, node_positions, rows_at};
 use crate::stress::DeviatoricStress;
 use crate::transfer::Transfer;
 
@@ -36,6 +39,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Records a failure of a point unless there was one before.
+    #[inline(always)]
+    fn note(&mut self, point: usize, failure: Option<Failure>) {
+        if self.failure.is_none() {
+            self.failure = failure.map(|why| (point, why));
+        }
+    }
+
     fn then(self, later: Self) -> Self {
         Self {
             failure: self.failure.or(later.failure),
@@ -49,6 +60,8 @@ impl Outcome {
 pub struct StateSource<'a, T> {
     /// Node velocities whose gradient strains the points.
     pub velocity: &'a [[T; 4]],
+    /// Whether these are v⁺ themselves, which are gathered anyway.
+    pub is_end_velocity: bool,
     /// Divergence of each active cell, 1/s; empty in the standard formulation.
     pub divergence: &'a [T],
 }
@@ -73,23 +86,21 @@ pub struct GridState<'a, T, const D: usize, M, K> {
     pub source: StateSource<'a, T>,
 }
 
-/// One gather over the points. What it does is fixed at compile time:
-///
-/// - `VELOCITY`: v_p ← α (v_p + Σ N Δt a) + (1 − α) Σ N v⁺, and the affine field;
-/// - `STATE`: ρ_p ← ρ_p / (1 + Δt D_p), Eq. (31) of \[Song2020\], and the stress;
-/// - `MOVE`: x_p ← x_p + Δt Σ N v⁺, and the point's cell.
-///
-/// A scheme that updates the stress last does all three in one pass.
-pub fn grid_to_particles<
-    T,
-    const D: usize,
-    M,
-    K,
-    const VELOCITY: bool,
-    const STATE: bool,
-    const MOVE: bool,
->(
+/// What a pass over the points does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pass {
+    /// v_p ← α (v_p + Σ N Δt a) + (1 − α) Σ N v⁺, and the affine field.
+    pub velocity: bool,
+    /// ρ_p ← ρ_p / (1 + Δt D_p), Eq. (31) of \[Song2020\], and the stress.
+    pub state: bool,
+    /// x_p ← x_p + Δt Σ N v⁺, and the point's cell.
+    pub motion: bool,
+}
+
+/// One gather over the points; a scheme that updates the stress last does all of it in one pass.
+pub fn grid_to_particles<T, const D: usize, M, K>(
     state: &GridState<'_, T, D, M, K>,
+    pass: Pass,
     dt: T,
     points: ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
 ) -> Outcome
@@ -98,215 +109,288 @@ where
     M: Method<T, D>,
     K: DeviatoricStress<T, D>,
 {
-    let by_cell = matches!(state.method.formulation(), Formulation::VelocityPressure(_));
     let first = &state.cells.first;
     let work = |slots: std::ops::Range<usize>, mut points: ParticlesMut<'_, T, D, _, _>| {
-        let mut outcome = Outcome::default();
         let begin = first[slots.start] as usize;
-        for slot in slots {
-            let pass = CellPass { state, dt, slot, begin };
-            let done = if STATE && (K::PRESENT || !by_cell) {
-                pass.run::<VELOCITY, STATE, MOVE, true>(&mut points)
-            } else {
-                pass.run::<VELOCITY, STATE, MOVE, false>(&mut points)
-            };
-            outcome = outcome.then(done);
-        }
-        outcome
+        let block = Block { state, pass, dt, begin };
+        vectorized!(simd => block.run(simd, slots, &mut points))
     };
     let cut = |slot: usize| first[slot] as usize;
     fold_blocks(state.cells.len(), CELL_GRAIN, points, &cut, &work, &Outcome::then)
 }
 
-/// The points of one cell in one pass; `begin` is the first point of the task's view.
-struct CellPass<'a, T, const D: usize, M, K> {
+/// A block of cells; `begin` is the first point of its view.
+struct Block<'a, T, const D: usize, M, K> {
     state: &'a GridState<'a, T, D, M, K>,
+    pass: Pass,
     dt: T,
-    slot: usize,
     begin: usize,
 }
 
-impl<T, const D: usize, M, K> CellPass<'_, T, D, M, K>
+impl<T, const D: usize, M, K> Block<'_, T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
     K: DeviatoricStress<T, D>,
 {
     #[inline(always)]
-    fn run<const VELOCITY: bool, const STATE: bool, const MOVE: bool, const GRADIENT: bool>(
+    fn run<S: Simd>(
         &self,
+        simd: S,
+        slots: std::ops::Range<usize>,
         points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
     ) -> Outcome {
-        let Self { state, dt, slot, begin } = *self;
-        let shape = state.method.shape();
-        let grid = state.grid;
-        let cell = grid.cell_coordinates(state.cells.index[slot]);
-        let n_rows = M::Shape::REACH.pow(D as u32 - 1);
-        let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
+        let Self { state, pass, dt, begin } = *self;
+        let (shape, grid) = (state.method.shape(), state.grid);
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
-        let node_at = if affine && VELOCITY {
-            node_positions(&shape, grid, cell)
-        } else {
-            [[T::zero(); 4]; D]
-        };
         let share = state.method.transfer().flip_share(dt);
-        let cell_divergence =
-            if STATE { CellDivergence::around(state, slot, cell) } else { CellDivergence::AtPoint };
+        let n_rows = M::Shape::REACH.pow(D as u32 - 1);
         let mut outcome = Outcome::default();
-        for point in state.cells.points(slot) {
-            let p = point - begin;
-            let rows = rows_at(&shape, grid, cell, points.position[p]);
-            let found =
-                self.gather::<VELOCITY, GRADIENT>(starts, &rows, &node_at, points.position[p]);
-            let motion = narrow(found.velocity);
-            if VELOCITY {
-                points.velocity[p] =
-                    blend::<T, D, M::Transfer>(share, points.velocity[p], found.increment, motion);
+        for slot in slots {
+            let cell = grid.cell_coordinates(state.cells.index[slot]);
+            let mut moments = [[T::zero(); MAX_WIDTH]; D];
+            let node_at = if affine { node_positions(&shape, grid, cell) } else { moments };
+            let cell_divergence = if pass.state {
+                CellDivergence::around(state, slot, cell)
+            } else {
+                CellDivergence::AtPoint
+            };
+            let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
+            for point in state.cells.points(slot) {
+                let p = point - begin;
+                let position = points.position[p];
+                let rows = rows_at(&shape, grid, cell, position);
                 if affine {
-                    points.affine[p] = found.affine::<M::Transfer>();
+                    moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
                 }
-            }
-            if STATE {
-                let gradient = found.velocity_gradient();
-                let divergence =
-                    cell_divergence.at(&gradient, &grid_xi(grid, cell, points.position[p]));
-                points.density[p] /= T::one() + dt * divergence;
-                if K::PRESENT {
-                    points.stress[p] = state.physics.stress.update(points.density[p], &gradient);
+                let at = Place::<T, D, M::Shape> { rows: &rows, starts, shape: PhantomData };
+                let found = at.gather::<S, M::Transfer>(simd, state, &moments);
+                let motion = narrow(found.velocity);
+                if pass.velocity {
+                    let old = points.velocity[p];
+                    points.velocity[p] =
+                        blend::<T, D, M::Transfer>(share, old, found.increment, motion);
+                    if affine {
+                        let second =
+                            second_moments::<T, D, M::Shape>(&rows, &moments, &node_at, position);
+                        points.affine[p] = M::Transfer::affine_from(found.moment, second);
+                    }
                 }
-            }
-            if MOVE {
-                let position = &mut points.position[p];
-                for axis in 0..D {
-                    position[axis] += dt * motion[axis];
+                if pass.state {
+                    self.strain(simd, p, points, &at, (&found, &cell_divergence, cell));
                 }
-                if let Some(place) = settle(grid, &state.physics.boundaries, position) {
-                    points.cell[p] = place;
-                    outcome.n_removed += u64::from(place == ABSENT);
-                } else if outcome.failure.is_none() {
-                    outcome.failure = Some((point, Failure::LeftDomain));
+                if pass.motion {
+                    let position = &mut points.position[p];
+                    for axis in 0..D {
+                        position[axis] += dt * motion[axis];
+                    }
+                    let place = settle(grid, &state.physics.boundaries, position);
+                    points.cell[p] = place.unwrap_or(points.cell[p]);
+                    outcome.note(point, place.is_none().then_some(Failure::LeftDomain));
+                    outcome.n_removed += u64::from(place == Some(ABSENT));
                 }
-            }
-            if outcome.failure.is_none_or(|(first, _)| first == point) {
                 let sound = check(points.velocity[p], points.position[p], points.density[p]);
-                outcome.failure = sound.map(|why| (point, why)).or(outcome.failure);
+                outcome.note(point, sound);
             }
         }
         outcome
     }
 
-    /// Sums over the nodes of a point.
+    /// Updates density and stress of point `p` of the view.
     #[inline(always)]
-    fn gather<const VELOCITY: bool, const GRADIENT: bool>(
+    fn strain<S: Simd>(
         &self,
-        starts: &[u32],
-        rows: &Rows<T, D>,
-        node_at: &[[T; MAX_WIDTH]; D],
-        position: [T; D],
-    ) -> Gathered<T, D> {
-        let mut sums = Gathered::zero();
-        let last = rows[D - 1];
-        let affine = <M::Transfer as Transfer<T, D>>::AFFINE && VELOCITY;
-        let increments = <M::Transfer as Transfer<T, D>>::USES_INCREMENT && VELOCITY;
-        let mut offset = [[T::zero(); MAX_WIDTH]; D];
-        if affine {
-            for axis in 0..D {
-                for k in 0..M::Shape::WIDTH {
-                    offset[axis][k] = node_at[axis][rows[axis].first + k] - position[axis];
-                    let second = rows[axis].weight[k] * offset[axis][k] * offset[axis][k];
-                    sums.second_moment[axis] += second;
-                }
+        simd: S,
+        p: usize,
+        points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+        at: &Place<'_, T, D, M::Shape>,
+        (found, cell_divergence, cell): (&Gathered<T, D>, &CellDivergence<T>, [usize; D]),
+    ) {
+        let source = &self.state.source;
+        let divergence = match cell_divergence {
+            CellDivergence::AtPoint if source.is_end_velocity => found.divergence,
+            CellDivergence::AtPoint => at.divergence(simd, source.velocity),
+            CellDivergence::Around(..) => {
+                cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
             }
+        };
+        points.density[p] /= T::one() + self.dt * divergence;
+        if K::PRESENT {
+            let gradient = at.velocity_gradient(simd, source.velocity);
+            points.stress[p] = self.state.physics.stress.update(points.density[p], &gradient);
         }
-        let width = M::Shape::WIDTH;
-        for_each_outer_row::<T, D, M::Shape>(rows, |outer| {
-            let start = starts[outer.row] as usize + last.first;
-            let velocity = &self.state.velocity[start..start + width];
-            let mut line = RowSums::zero();
-            for k in 0..width {
-                add_row(&mut line.velocity, last.weight[k], velocity[k]);
-                if affine {
-                    add_row(&mut line.moment, last.weight[k] * offset[D - 1][k], velocity[k]);
-                }
-            }
-            if increments {
-                let increment = &self.state.increment[start..start + width];
-                for k in 0..width {
-                    add_row(&mut line.increment, last.weight[k], increment[k]);
-                }
-                add_row(&mut sums.increment, outer.weight, line.increment);
-            }
-            add_row(&mut sums.velocity, outer.weight, line.velocity);
-            if affine {
-                for axis in 0..D - 1 {
-                    let weight = outer.weight * offset[axis][outer.index[axis]];
-                    add_row(&mut sums.moment[axis], weight, line.velocity);
-                }
-                add_row(&mut sums.moment[D - 1], outer.weight, line.moment);
-            }
-            if GRADIENT {
-                let source = &self.state.source.velocity[start..start + width];
-                let (mut value, mut slope) = ([T::zero(); 4], [T::zero(); 4]);
-                for k in 0..width {
-                    add_row(&mut value, last.weight[k], source[k]);
-                    add_row(&mut slope, last.gradient[k], source[k]);
-                }
-                for axis in 0..D - 1 {
-                    add_row(&mut sums.gradient[axis], outer.gradient[axis], value);
-                }
-                add_row(&mut sums.gradient[D - 1], outer.weight, slope);
-            }
-        });
-        sums
     }
 }
 
-/// Sums along one stencil row.
-struct RowSums<T> {
-    velocity: [T; 4],
-    increment: [T; 4],
-    moment: [T; 4],
-}
-
-impl<T: Scalar> RowSums<T> {
-    #[inline(always)]
-    fn zero() -> Self {
-        let zero = [T::zero(); 4];
-        Self { velocity: zero, increment: zero, moment: zero }
-    }
-}
-
-/// What a point gathers from its nodes; `gradient[j]` is ∂v/∂x_j, `moment[j]` is Σ N v (x − x_p)_j.
+/// What a point gathers from its nodes; `moment[a]` is Σ N v (x − x_p)_a.
 struct Gathered<T, const D: usize> {
     velocity: [T; 4],
     increment: [T; 4],
-    gradient: [[T; 4]; D],
     moment: [[T; 4]; D],
-    second_moment: [T; D],
+    divergence: T,
 }
 
-impl<T: Scalar, const D: usize> Gathered<T, D> {
+/// The functions of a point and the nodes of its cell.
+struct Place<'a, T, const D: usize, H> {
+    rows: &'a Rows<T, D>,
+    starts: &'a [u32],
+    shape: PhantomData<H>,
+}
+
+impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Place<'_, T, D, H> {
+    /// Weights of one stencil row, (N, N, N, N′): node rows repeat the last component in their last
+    /// entry, which so becomes its derivative along the last axis.
     #[inline(always)]
-    fn zero() -> Self {
-        let zero = [T::zero(); 4];
-        Self {
-            velocity: zero,
-            increment: zero,
-            gradient: [zero; D],
-            moment: [zero; D],
-            second_moment: [T::zero(); D],
+    fn weights<S: Simd>(&self, simd: S) -> [T::Four<S>; MAX_WIDTH] {
+        let last = &self.rows[D - 1];
+        let mut weights = [splat(simd, T::zero()); MAX_WIDTH];
+        for k in 0..H::WIDTH {
+            let (n, slope) = (last.weight[k], last.gradient[k]);
+            weights[k] = load(simd, &[n, n, n, slope]);
+        }
+        weights
+    }
+
+    /// Sums of v⁺ and, as the transfer needs them, of Δt a and of first moments.
+    #[inline(always)]
+    fn gather<S: Simd, X: Transfer<T, D>>(
+        &self,
+        simd: S,
+        state: &GridState<'_, T, D, impl Method<T, D>, impl DeviatoricStress<T, D>>,
+        moments: &[[T; MAX_WIDTH]; D],
+    ) -> Gathered<T, D> {
+        let (rows, inner) = (self.rows, D - 1);
+        let weights = self.weights(simd);
+        let zero = splat(simd, T::zero());
+        let mut moment_last = [zero; MAX_WIDTH];
+        if X::AFFINE {
+            for k in 0..H::WIDTH {
+                moment_last[k] = splat(simd, moments[inner][k]);
+            }
+        }
+        let (mut velocity, mut increment, mut moment) = (zero, zero, [zero; D]);
+        let mut divergence = T::zero();
+        for_each_outer_row::<T, D, H>(
+            rows,
+            #[inline(always)]
+            |outer| {
+                let start = self.starts[outer.row] as usize + rows[inner].first;
+                let nodes = &state.velocity[start..start + H::WIDTH];
+                let weight = splat(simd, outer.weight);
+                let mut line = load(simd, &nodes[0]) * weights[0];
+                for k in 1..H::WIDTH {
+                    line = line + load(simd, &nodes[k]) * weights[k];
+                }
+                velocity = velocity + line * weight;
+                for axis in 0..inner {
+                    divergence +=
+                        outer.replace(rows, axis, &rows[axis].gradient) * line.as_array()[axis];
+                }
+                if X::AFFINE {
+                    for axis in 0..inner {
+                        let outer_moment = outer.replace(rows, axis, &moments[axis]);
+                        moment[axis] = moment[axis] + line * splat(simd, outer_moment);
+                    }
+                    let mut along = load(simd, &nodes[0]) * moment_last[0];
+                    for k in 1..H::WIDTH {
+                        along = along + load(simd, &nodes[k]) * moment_last[k];
+                    }
+                    moment[inner] = moment[inner] + along * weight;
+                }
+                if X::USES_INCREMENT {
+                    let nodes = &state.increment[start..start + H::WIDTH];
+                    let mut change = load(simd, &nodes[0]) * weights[0];
+                    for k in 1..H::WIDTH {
+                        change = change + load(simd, &nodes[k]) * weights[k];
+                    }
+                    increment = increment + change * weight;
+                }
+            },
+        );
+        let velocity = velocity.to_array();
+        let mut columns = [[T::zero(); 4]; D];
+        if X::AFFINE {
+            for axis in 0..D {
+                columns[axis] = moment[axis].to_array();
+            }
+        }
+        Gathered {
+            velocity,
+            increment: increment.to_array(),
+            moment: columns,
+            divergence: divergence + velocity[3],
         }
     }
 
+    /// Σ v_I · ∇N_I, 1/s.
     #[inline(always)]
-    fn affine<X: Transfer<T, D>>(&self) -> X::Affine {
-        X::affine_from(self.moment, self.second_moment)
+    fn divergence<S: Simd>(&self, simd: S, nodes: &[[T; 4]]) -> T {
+        let weights = self.weights(simd);
+        let mut sum = T::zero();
+        for_each_outer_row::<T, D, H>(
+            self.rows,
+            #[inline(always)]
+            |outer| {
+                let start = self.starts[outer.row] as usize + self.rows[D - 1].first;
+                let mut line = splat(simd, T::zero());
+                for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
+                    line = line + load(simd, node) * weights[k];
+                }
+                let line = line.to_array();
+                sum += outer.weight * line[3];
+                for axis in 0..D - 1 {
+                    sum += outer.replace(self.rows, axis, &self.rows[axis].gradient) * line[axis];
+                }
+            },
+        );
+        sum
     }
 
+    /// `[i][j] = ∂v_i/∂x_j`, 1/s.
     #[inline(always)]
-    fn velocity_gradient(&self) -> [[T; D]; D] {
-        std::array::from_fn(|i| std::array::from_fn(|j| self.gradient[j][i]))
+    fn velocity_gradient<S: Simd>(&self, simd: S, nodes: &[[T; 4]]) -> [[T; D]; D] {
+        let (rows, inner) = (self.rows, D - 1);
+        let zero = splat(simd, T::zero());
+        let mut columns = [zero; D];
+        for_each_outer_row::<T, D, H>(
+            rows,
+            #[inline(always)]
+            |outer| {
+                let start = self.starts[outer.row] as usize + rows[inner].first;
+                let (mut value, mut slope) = (zero, zero);
+                for (k, node) in nodes[start..start + H::WIDTH].iter().enumerate() {
+                    let node = load(simd, node);
+                    value = value + node * splat(simd, rows[inner].weight[k]);
+                    slope = slope + node * splat(simd, rows[inner].gradient[k]);
+                }
+                for axis in 0..inner {
+                    let gradient = outer.replace(rows, axis, &rows[axis].gradient);
+                    columns[axis] = columns[axis] + value * splat(simd, gradient);
+                }
+                columns[inner] = columns[inner] + slope * splat(simd, outer.weight);
+            },
+        );
+        let columns = columns.map(|column| column.to_array());
+        std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
     }
+}
+
+/// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
+#[inline(always)]
+fn second_moments<T: Scalar, const D: usize, H: ShapeFunction<T>>(
+    rows: &Rows<T, D>,
+    moments: &[[T; MAX_WIDTH]; D],
+    node_at: &[[T; MAX_WIDTH]; D],
+    position: [T; D],
+) -> [T; D] {
+    let mut second = [T::zero(); D];
+    for axis in 0..D {
+        for k in 0..H::WIDTH {
+            let offset = node_at[axis][rows[axis].first + k] - position[axis];
+            second[axis] += moments[axis][k] * offset;
+        }
+    }
+    second
 }
 
 #[inline(always)]
@@ -337,7 +421,7 @@ fn settle<T: Scalar, const D: usize>(
     }
     let mut removed = false;
     for axis in 0..D {
-        let length = grid.spacing[axis] * T::lit(grid.n_cells[axis] as f64);
+        let length = grid.spacing[axis] * T::from_index(grid.n_cells[axis]);
         let below = position[axis] < grid.origin[axis];
         let above = position[axis] > grid.origin[axis] + length;
         if grid.periodic[axis] {
@@ -378,7 +462,7 @@ fn grid_xi<T: Scalar, const D: usize>(
     cell: [usize; D],
     position: [T; D],
 ) -> [T; D] {
-    std::array::from_fn(|axis| grid.in_cells(position, axis) - T::lit(cell[axis] as f64))
+    std::array::from_fn(|axis| grid.in_cells(position, axis) - T::from_index(cell[axis]))
 }
 
 /// Divergence at the points of one cell.
@@ -423,9 +507,9 @@ impl<T: Scalar> CellDivergence<T> {
     }
 
     #[inline(always)]
-    fn at<const D: usize>(&self, gradient: &[[T; D]; D], xi: &[T; D]) -> T {
+    fn at<const D: usize>(&self, xi: &[T; D]) -> T {
         let (kind, around) = match self {
-            Self::AtPoint => return (0..D).fold(T::zero(), |sum, axis| sum + gradient[axis][axis]),
+            Self::AtPoint => return T::zero(),
             Self::Around(PointDivergence::Constant, around) => return around[0],
             Self::Around(kind, around) => (*kind, around),
         };

@@ -7,10 +7,10 @@ mod particles_to_grid;
 mod update_grid;
 
 pub use centers::{Center, divergence, rebuild_centers};
-pub use grid_to_particles::{Failure, GridState, Outcome, StateSource, grid_to_particles};
+pub use grid_to_particles::{Failure, GridState, Outcome, Pass, StateSource, grid_to_particles};
 pub use node_velocity::{node_velocity, transfer_velocity};
-pub use particles_to_grid::{ScatterParts, particles_to_grid};
-pub use update_grid::{constrain, update_grid};
+pub use particles_to_grid::{ScatterParts, fuses_impulse, particles_to_grid};
+pub use update_grid::{NodeForces, constrain, update_grid};
 
 use crate::Scalar;
 use crate::cells::Cells;

@@ -12,14 +12,17 @@ use crate::shape::ShapeFunction;
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
-/// Velocity of each node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
+/// Velocity of a node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
+///
+/// The last entry repeats the last component, see [`super::update_grid`].
 #[inline(always)]
-pub fn transfer_velocity<T: Scalar>(transfer: [T; 4]) -> [T; 4] {
+pub fn transfer_velocity<T: Scalar, const D: usize>(transfer: [T; 4]) -> [T; 4] {
     if !(transfer[3] > T::zero()) {
         return [T::zero(); 4];
     }
     let inverse = T::one() / transfer[3];
-    [transfer[0] * inverse, transfer[1] * inverse, transfer[2] * inverse, T::zero()]
+    let velocity = transfer.map(|momentum| momentum * inverse);
+    [velocity[0], velocity[1], velocity[2], velocity[D - 1]]
 }
 
 /// Node velocities before constraints: reconstructed v_I = (ρv)(x_I) / ρ(x_I), Eq. (20) of \[Song2020\], at
@@ -38,7 +41,7 @@ where
     if !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
         for_each_block(index.len(), NODE_GRAIN, velocity, &|nodes, part: &mut [[T; 4]]| {
             for (node, out) in nodes.zip(part) {
-                *out = transfer_velocity(transfer[node]);
+                *out = transfer_velocity::<T, D>(transfer[node]);
             }
         });
         return Counters::default();
@@ -48,7 +51,7 @@ where
         for (node, out) in nodes.zip(part) {
             let at = view.grid.node_coordinates(index[node]);
             let rebuilt = is_interior(view, at).then(|| rebuild(view, at, &mut counters)).flatten();
-            *out = rebuilt.unwrap_or_else(|| transfer_velocity(transfer[node]));
+            *out = rebuilt.unwrap_or_else(|| transfer_velocity::<T, D>(transfer[node]));
         }
         counters
     };
@@ -81,7 +84,7 @@ where
         Row4(row)
     });
     counters.count_fit(&fit);
-    fit.value().map(|Row4(row)| transfer_velocity(row))
+    fit.value().map(|Row4(row)| transfer_velocity::<T, D>(row))
 }
 
 /// Whether every cell of the box whose functions reach the node is full of fluid.

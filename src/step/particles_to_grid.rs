@@ -3,14 +3,17 @@
 use super::{Center, StressOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
-use crate::math::{add_row, widen};
+use crate::math::widen;
 use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::parallel::fold_blocks;
 use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::stencil::{Rows, for_each_outer_row, node_positions, rows_at, rows_at_center};
+use crate::simd::{Simd, add_to, load, splat, vectorized};
+use crate::stencil::{
+    Rows, for_each_outer_row, moments_at, node_positions, rows_at, rows_at_center,
+};
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
@@ -32,12 +35,15 @@ pub enum ScatterParts {
 /// force_I    = Σ_q V_q (p_q I − s_q) ∇N_I(x_q)
 /// ```
 ///
+/// Methods that gather no increment and sample at their points only add the impulse Δt f to the
+/// transfer momentum at once, see [`fuses_impulse`].
+///
 /// Slabs of cells along the first axis are worked on in two colours; slabs of one colour share no
 /// node, so the order of summation depends on the grid alone.
 pub fn particles_to_grid<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
     centers: &[Center<T, StressOf<T, D, K>>],
-    parts: ScatterParts,
+    (parts, dt): (ScatterParts, T),
     nodes: &mut Nodes<T>,
 ) -> Counters
 where
@@ -58,17 +64,11 @@ where
         let begin = node_cut(color);
         let work = |pairs: std::ops::Range<usize>,
                     (transfer, force): (&mut [[T; 4]], &mut [[T; 4]])| {
-            let mut counters = Counters::default();
             let node_begin = node_cut(color + 2 * pairs.start);
+            let slabs = pairs.map(|pair| color + 2 * pair);
             let mut target = Target { transfer, force, rows, node_begin };
-            for pair in pairs {
-                let slab = color + 2 * pair;
-                let cells = view.cells.slab_first[slab]..view.cells.slab_first[slab + 1];
-                for slot in cells {
-                    scatter_cell(view, centers, parts, slot as usize, &mut target, &mut counters);
-                }
-            }
-            counters
+            let input = Input { view, centers, parts, dt };
+            vectorized!(simd => input.scatter_slabs(simd, slabs, &mut target))
         };
         let n_pairs = (n_slabs.saturating_sub(color)).div_ceil(2);
         let data = (&mut transfer[begin..], &mut force[begin..]);
@@ -83,6 +83,15 @@ where
     counters
 }
 
+/// Whether the impulse of the forces goes straight into the transfer momentum.
+///
+/// It can where a step needs neither the nodes' velocity before the forces nor a mass of its own.
+pub fn fuses_impulse<T: Scalar, const D: usize, M: Method<T, D>>() -> bool {
+    !<M::Transfer as Transfer<T, D>>::USES_INCREMENT
+        && !<M::Quadrature as Quadrature<T, D>>::USES_CENTERS
+        && !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES
+}
+
 /// The nodes that one task writes to.
 struct Target<'a, T> {
     transfer: &'a mut [[T; 4]],
@@ -91,198 +100,258 @@ struct Target<'a, T> {
     node_begin: usize,
 }
 
-#[inline(always)]
-fn scatter_cell<T, const D: usize, M, K>(
-    view: &View<'_, T, D, M, K>,
-    centers: &[Center<T, StressOf<T, D, K>>],
-    parts: ScatterParts,
-    slot: usize,
-    target: &mut Target<'_, T>,
-    counters: &mut Counters,
-) where
+/// What a sample spreads over its nodes:
+/// `N value + Σ_a N (x_i − x)_a affine[a] + Σ_a ∂N/∂x_a flux[a]`, as node rows.
+struct Spread<F, const D: usize> {
+    value: F,
+    affine: [F; D],
+    flux: [F; D],
+}
+
+struct Input<'a, T, const D: usize, M, K>
+where
     T: Scalar,
     M: Method<T, D>,
     K: DeviatoricStress<T, D>,
 {
-    let shape = view.method.shape();
-    let cell = view.grid.cell_coordinates(view.cells.index[slot]);
-    if parts == ScatterParts::All {
+    view: &'a View<'a, T, D, M, K>,
+    centers: &'a [Center<T, StressOf<T, D, K>>],
+    parts: ScatterParts,
+    dt: T,
+}
+
+impl<T, const D: usize, M, K> Input<'_, T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    #[inline(always)]
+    fn scatter_slabs<S: Simd>(
+        &self,
+        simd: S,
+        slabs: impl Iterator<Item = usize>,
+        target: &mut Target<'_, T>,
+    ) -> Counters {
+        let first = &self.view.cells.slab_first;
+        let mut counters = Counters::default();
+        for slab in slabs {
+            for slot in first[slab]..first[slab + 1] {
+                counters.n_samples += self.scatter_cell(simd, slot as usize, target);
+            }
+        }
+        counters
+    }
+
+    /// Scatters one cell and returns the number of its samples.
+    #[inline(always)]
+    fn scatter_cell<S: Simd>(&self, simd: S, slot: usize, target: &mut Target<'_, T>) -> u64 {
+        let view = self.view;
+        let cell = view.grid.cell_coordinates(view.cells.index[slot]);
+        let all = self.parts == ScatterParts::All;
         let samples = view.method.quadrature().samples(view.cells.kind[slot]);
         let at_center = samples == Samples::Center;
         let by_cell = matches!(view.method.formulation(), Formulation::VelocityPressure(_));
-        if at_center || by_cell {
-            let rows = rows_at_center(&shape, view.grid, cell);
-            let center = &centers[slot];
-            scatter_center::<T, D, M, K>(&rows, center, at_center, slot, target);
+        if all && (at_center || by_cell) {
+            self.scatter_center(simd, at_center, cell, slot, target);
         }
-        counters.n_samples += 1;
-        if !at_center {
-            counters.n_samples += view.cells.points(slot).len() as u64 - 1;
-            let cloud = view.cloud();
-            let volumes = view.method.quadrature().point_volumes(&cloud, slot);
-            scatter_points::<T, D, M, K, true>(
-                view,
-                Some((&volumes, !by_cell)),
-                cell,
-                slot,
-                target,
-            );
-            return;
+        let transfers = !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES
+            || view.cells.near_surface[slot];
+        if at_center {
+            if transfers {
+                self.scatter_points(simd, None, cell, slot, target);
+            }
+            return u64::from(all);
         }
+        let cloud = view.cloud();
+        let volumes = all.then(|| view.method.quadrature().point_volumes(&cloud, slot));
+        self.scatter_points(simd, volumes.map(|v| (v, !by_cell)), cell, slot, target);
+        if all { view.cells.points(slot).len() as u64 } else { 0 }
     }
-    if !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES || view.cells.near_surface[slot]
-    {
-        scatter_points::<T, D, M, K, false>(view, None, cell, slot, target);
-    }
-}
 
-/// One Gauss point: mass and stress at the centre of a full cell, or only the cell's pressure.
-#[inline(always)]
-fn scatter_center<T, const D: usize, M, K>(
-    rows: &Rows<T, D>,
-    center: &Center<T, StressOf<T, D, K>>,
-    full: bool,
-    slot: usize,
-    target: &mut Target<'_, T>,
-) where
-    T: Scalar,
-    M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
-{
-    let mass = if full { center.density * center.volume } else { T::zero() };
-    let scale = center.pressure * center.volume;
-    let n_rows = M::Shape::REACH.pow(D as u32 - 1);
-    let starts = &target.rows[slot * n_rows..(slot + 1) * n_rows];
-    let last = rows[D - 1];
-    for_each_outer_row::<T, D, M::Shape>(rows, |outer| {
-        let start = starts[outer.row] as usize + last.first - target.node_begin;
-        let force = &mut target.force[start..start + M::Shape::WIDTH];
-        for (k, row) in force.iter_mut().enumerate() {
-            let mut gradient = outer.gradient.map(|g| g * last.weight[k]);
-            gradient[D - 1] = outer.weight * last.gradient[k];
-            let viscous = if full { K::times(&center.stress, gradient) } else { [T::zero(); D] };
-            for axis in 0..D {
-                row[axis] += scale * gradient[axis] - center.volume * viscous[axis];
-            }
-            row[3] += mass * (outer.weight * last.weight[k]);
-        }
-    });
-}
-
-/// The points of a cell: transfer momentum and, with `FORCE`, mass and force as samples.
-#[inline(always)]
-fn scatter_points<T, const D: usize, M, K, const FORCE: bool>(
-    view: &View<'_, T, D, M, K>,
-    volumes: Option<(&PointVolumes<'_, T, D>, bool)>,
-    cell: [usize; D],
-    slot: usize,
-    target: &mut Target<'_, T>,
-) where
-    T: Scalar,
-    M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
-{
-    let shape = view.method.shape();
-    let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
-    let node_at =
-        if affine { node_positions(&shape, view.grid, cell) } else { [[T::zero(); 4]; D] };
-    let n_rows = M::Shape::REACH.pow(D as u32 - 1);
-    let starts = &target.rows[slot * n_rows..(slot + 1) * n_rows];
-    let p = view.particles;
-    for point in view.cells.points(slot) {
-        let rows = rows_at(&shape, view.grid, cell, p.position[point]);
-        let (carried, density) = (p.mass[point], p.density[point]);
-        let moment = Moment::<T, D>::new::<M::Transfer>(view, point, &rows, &node_at);
-        let mut sample = Sample { mass: T::zero(), scale: T::zero(), volume: T::zero() };
-        if FORCE && let Some((volumes, with_pressure)) = volumes {
-            (sample.volume, sample.mass) = volumes.of(point, carried, density);
-            if with_pressure {
-                sample.scale = sample.volume * view.physics.equation_of_state.pressure(density);
-            }
-        }
-        let last = rows[D - 1];
-        for_each_outer_row::<T, D, M::Shape>(&rows, |outer| {
-            let start = starts[outer.row] as usize + last.first - target.node_begin;
-            let transfer = &mut target.transfer[start..start + M::Shape::WIDTH];
-            let base = moment.row::<M::Transfer>(&outer.index);
-            for (k, row) in transfer.iter_mut().enumerate() {
-                let weight = outer.weight * last.weight[k];
-                let mut value = base;
-                if affine {
-                    add_row(&mut value, moment.offset[D - 1][k], moment.columns[D - 1]);
-                }
-                add_row(row, weight, value);
-            }
-            if FORCE {
-                let force = &mut target.force[start..start + M::Shape::WIDTH];
-                for (k, row) in force.iter_mut().enumerate() {
-                    let mut gradient = outer.gradient.map(|g| g * last.weight[k]);
-                    gradient[D - 1] = outer.weight * last.gradient[k];
-                    let mut value = widen(gradient.map(|g| sample.scale * g));
-                    value[3] = sample.mass * (outer.weight * last.weight[k]);
-                    if K::PRESENT {
-                        let viscous = K::times(&p.stress[point], gradient);
-                        for axis in 0..D {
-                            value[axis] -= sample.volume * viscous[axis];
-                        }
-                    }
-                    add_row(row, T::one(), value);
-                }
-            }
-        });
-    }
-}
-
-/// Mass, volume and volume × pressure of a point as a sample.
-struct Sample<T> {
-    mass: T,
-    scale: T,
-    volume: T,
-}
-
-/// Momentum of a point as node rows (vector, mass): its value and its change per metre.
-struct Moment<T, const D: usize> {
-    value: [T; 4],
-    columns: [[T; 4]; D],
-    offset: [[T; MAX_WIDTH]; D],
-}
-
-impl<T: Scalar, const D: usize> Moment<T, D> {
+    /// One Gauss point: mass and stress at the centre of a full cell, or only the cell's pressure.
     #[inline(always)]
-    fn new<X: Transfer<T, D>>(
-        view: &View<'_, T, D, impl Method<T, D, Transfer = X>, impl DeviatoricStress<T, D>>,
-        point: usize,
-        rows: &Rows<T, D>,
-        node_at: &[[T; MAX_WIDTH]; D],
-    ) -> Self {
-        let p = view.particles;
-        let mass = p.mass[point];
-        let mut value = widen(p.velocity[point].map(|v| mass * v));
-        value[3] = mass;
+    fn scatter_center<S: Simd>(
+        &self,
+        simd: S,
+        full: bool,
+        cell: [usize; D],
+        slot: usize,
+        target: &mut Target<'_, T>,
+    ) {
+        let center = &self.centers[slot];
+        let rows = rows_at_center(&self.view.method.shape(), self.view.grid, cell);
+        let mass = if full { center.density * center.volume } else { T::zero() };
+        let value = [T::zero(), T::zero(), T::zero(), mass];
+        let stress = if full { center.stress } else { StressOf::<T, D, K>::default() };
+        let flux = self.flux(center.pressure * center.volume, center.volume, &stress);
+        let zero = splat(simd, T::zero());
+        let mut spread = Spread { value: load(simd, &value), affine: [zero; D], flux: [zero; D] };
+        for axis in 0..D {
+            spread.flux[axis] = load(simd, &flux[axis]);
+        }
+        let none = [[T::zero(); MAX_WIDTH]; D];
+        let fused = fuses_impulse::<T, D, M>();
+        let sums = if fused { &mut *target.transfer } else { &mut *target.force };
+        let at = Place { rows: &rows, moments: &none, starts: target.rows, slot };
+        at.add::<S, M::Shape, false, true>(simd, target.node_begin, &spread, sums);
+    }
+
+    /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
+    #[inline(always)]
+    fn flux(&self, work: T, volume: T, stress: &StressOf<T, D, K>) -> [[T; 4]; D] {
+        let scale = if fuses_impulse::<T, D, M>() { self.dt } else { T::one() };
         let mut columns = [[T::zero(); 4]; D];
-        let mut offset = [[T::zero(); MAX_WIDTH]; D];
-        if X::AFFINE {
-            for axis in 0..D {
-                let column = X::affine_column(&p.affine[point], axis);
-                columns[axis] = widen(column.map(|c| mass * c));
-                for k in 0..MAX_WIDTH {
-                    let node = (rows[axis].first + k).min(MAX_WIDTH - 1);
-                    offset[axis][k] = node_at[axis][node] - p.position[point][axis];
+        for axis in 0..D {
+            columns[axis][axis] = scale * work;
+            if K::PRESENT {
+                let mut unit = [T::zero(); D];
+                unit[axis] = scale * volume;
+                let viscous = K::times(stress, unit);
+                for row in 0..D {
+                    columns[axis][row] -= viscous[row];
                 }
             }
         }
-        Self { value, columns, offset }
+        columns
     }
 
-    /// Momentum at the outer indices of a row.
+    /// The points of a cell: transfer momentum and, given their volumes, mass and force as samples.
     #[inline(always)]
-    fn row<X: Transfer<T, D>>(&self, index: &[usize; D]) -> [T; 4] {
-        let mut value = self.value;
-        if X::AFFINE {
-            for axis in 0..D - 1 {
-                add_row(&mut value, self.offset[axis][index[axis]], self.columns[axis]);
+    fn scatter_points<S: Simd>(
+        &self,
+        simd: S,
+        volumes: Option<(PointVolumes<'_, T, D>, bool)>,
+        cell: [usize; D],
+        slot: usize,
+        target: &mut Target<'_, T>,
+    ) {
+        let (view, p) = (self.view, self.view.particles);
+        let shape = view.method.shape();
+        let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
+        let mut moments = [[T::zero(); MAX_WIDTH]; D];
+        let node_at = if affine { node_positions(&shape, view.grid, cell) } else { moments };
+        let zero = splat(simd, T::zero());
+        for point in view.cells.points(slot) {
+            let position = p.position[point];
+            let rows = rows_at(&shape, view.grid, cell, position);
+            let (mass, density) = (p.mass[point], p.density[point]);
+            let mut momentum = [T::zero(); 4];
+            for axis in 0..D {
+                momentum[axis] = mass * p.velocity[point][axis];
+            }
+            momentum[3] = mass;
+            let mut spread =
+                Spread { value: load(simd, &momentum), affine: [zero; D], flux: [zero; D] };
+            if affine {
+                moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
+                for axis in 0..D {
+                    let column = M::Transfer::affine_column(&p.affine[point], axis);
+                    spread.affine[axis] = load(simd, &widen(column.map(|c| mass * c)));
+                }
+            }
+            let at = Place { rows: &rows, moments: &moments, starts: target.rows, slot };
+            let begin = target.node_begin;
+            let Some((volumes, with_pressure)) = &volumes else {
+                self.add_momentum(simd, &at, begin, &spread, target.transfer);
+                continue;
+            };
+            let (volume, sample_mass) = volumes.of(point, mass, density);
+            let pressure = view.physics.equation_of_state.pressure(density);
+            let work = if *with_pressure { volume * pressure } else { T::zero() };
+            let flux = self.flux(work, volume, &p.stress[point]);
+            for axis in 0..D {
+                spread.flux[axis] = load(simd, &flux[axis]);
+            }
+            if fuses_impulse::<T, D, M>() {
+                if affine {
+                    at.add::<S, M::Shape, true, true>(simd, begin, &spread, target.transfer);
+                } else {
+                    at.add::<S, M::Shape, false, true>(simd, begin, &spread, target.transfer);
+                }
+            } else {
+                self.add_momentum(simd, &at, begin, &spread, target.transfer);
+                spread.value = load(simd, &[T::zero(), T::zero(), T::zero(), sample_mass]);
+                at.add::<S, M::Shape, false, true>(simd, begin, &spread, target.force);
             }
         }
-        value
+    }
+
+    #[inline(always)]
+    fn add_momentum<S: Simd>(
+        &self,
+        simd: S,
+        at: &Place<'_, T, D>,
+        node_begin: usize,
+        spread: &Spread<T::Four<S>, D>,
+        transfer: &mut [[T; 4]],
+    ) {
+        if <M::Transfer as Transfer<T, D>>::AFFINE {
+            at.add::<S, M::Shape, true, false>(simd, node_begin, spread, transfer);
+        } else {
+            at.add::<S, M::Shape, false, false>(simd, node_begin, spread, transfer);
+        }
+    }
+}
+
+/// Where a sample sits: its functions and the nodes of its cell.
+struct Place<'a, T, const D: usize> {
+    rows: &'a Rows<T, D>,
+    moments: &'a [[T; MAX_WIDTH]; D],
+    starts: &'a [u32],
+    slot: usize,
+}
+
+impl<T: Scalar, const D: usize> Place<'_, T, D> {
+    /// Adds a spread to the node rows of `sums`, which begin at node `node_begin`.
+    #[inline(always)]
+    fn add<S: Simd, H: ShapeFunction<T>, const AFFINE: bool, const FLUX: bool>(
+        &self,
+        simd: S,
+        node_begin: usize,
+        spread: &Spread<T::Four<S>, D>,
+        sums: &mut [[T; 4]],
+    ) {
+        let n_rows = H::REACH.pow(D as u32 - 1);
+        let starts = &self.starts[self.slot * n_rows..(self.slot + 1) * n_rows];
+        let (rows, inner) = (self.rows, D - 1);
+        let last = &rows[inner];
+        let zero = splat(simd, T::zero());
+        let (mut weight, mut along) = ([zero; MAX_WIDTH], [zero; MAX_WIDTH]);
+        for k in 0..H::WIDTH {
+            weight[k] = splat(simd, last.weight[k]);
+            if AFFINE {
+                along[k] = spread.affine[inner] * splat(simd, self.moments[inner][k]);
+            }
+            if FLUX {
+                along[k] = along[k] + spread.flux[inner] * splat(simd, last.gradient[k]);
+            }
+        }
+        for_each_outer_row::<T, D, H>(
+            rows,
+            #[inline(always)]
+            |outer| {
+                let start = starts[outer.row] as usize + last.first - node_begin;
+                let outer_weight = splat(simd, outer.weight);
+                let mut row = spread.value * outer_weight;
+                for axis in 0..inner {
+                    if AFFINE {
+                        let moment = outer.replace(rows, axis, &self.moments[axis]);
+                        row = row + spread.affine[axis] * splat(simd, moment);
+                    }
+                    if FLUX {
+                        let gradient = outer.replace(rows, axis, &rows[axis].gradient);
+                        row = row + spread.flux[axis] * splat(simd, gradient);
+                    }
+                }
+                for (k, sum) in sums[start..start + H::WIDTH].iter_mut().enumerate() {
+                    let mut part = row * weight[k];
+                    if AFFINE || FLUX {
+                        part = part + along[k] * outer_weight;
+                    }
+                    add_to(simd, sum, part);
+                }
+            },
+        );
     }
 }

@@ -6,29 +6,45 @@ use crate::nodes::WallNode;
 use crate::parallel::for_each_block;
 use crate::scene::Boundary;
 
+/// What moves the nodes.
+#[derive(Clone, Copy, Debug)]
+pub enum NodeForces<'a, T> {
+    /// Force and mass (last entry) of each node.
+    Separate(&'a [[T; 4]]),
+    /// Forces are in the velocity already; the last entries are masses.
+    Fused(&'a [[T; 4]]),
+}
+
 /// Advances the nodes, Eq. (10) of \[Song2020\]: `increment = Δt (f/m + b)`, `velocity += increment`.
 ///
-/// `force` holds the mass in its last entry; nodes without mass keep their velocity.
+/// Nodes without mass keep their velocity. The last entry of a velocity row repeats its last component,
+/// which the gather turns into a derivative.
 pub fn update_grid<T: Scalar, const D: usize>(
     dt: T,
     body_force: [T; D],
-    force: &[[T; 4]],
+    forces: NodeForces<'_, T>,
     (velocity, increment): (&mut [[T; 4]], &mut [[T; 4]]),
 ) {
     let work = |nodes: std::ops::Range<usize>,
                 (velocity, increment): (&mut [[T; 4]], &mut [[T; 4]])| {
-        for ((force, v), dv) in force[nodes].iter().zip(velocity).zip(increment) {
+        let (rows, separate) = match forces {
+            NodeForces::Separate(rows) => (rows, true),
+            NodeForces::Fused(rows) => (rows, false),
+        };
+        for ((row, v), dv) in rows[nodes].iter().zip(velocity).zip(increment) {
             *dv = [T::zero(); 4];
-            if force[3] > T::zero() {
-                let scale = dt / force[3];
+            if row[3] > T::zero() {
+                let scale = if separate { dt / row[3] } else { T::zero() };
                 for axis in 0..D {
-                    dv[axis] = scale * force[axis] + dt * body_force[axis];
+                    let force = if separate { scale * row[axis] } else { T::zero() };
+                    dv[axis] = force + dt * body_force[axis];
                     v[axis] += dv[axis];
                 }
             }
+            v[3] = v[D - 1];
         }
     };
-    for_each_block(force.len(), NODE_GRAIN, (velocity, increment), &work);
+    for_each_block(velocity.len(), NODE_GRAIN, (velocity, increment), &work);
 }
 
 /// Imposes the velocity of each face on the nodes of that face, and takes away its change.
@@ -56,5 +72,6 @@ pub fn constrain<T: Scalar, const D: usize>(
                 }
             }
         }
+        velocity[slot][3] = velocity[slot][D - 1];
     }
 }

@@ -1,0 +1,53 @@
+//! Run-time choice of the instruction set for the hot kernels.
+//!
+//! Kernels take a token of the instruction set as an argument and are compiled once for the baseline
+//! and once for AVX2. No fused multiply-add is used: every level rounds the same way.
+
+pub use fearless_simd::prelude::*;
+pub use fearless_simd::{Level, Simd};
+
+/// Evaluates an expression with `$simd` bound to the best token of this machine.
+macro_rules! vectorized {
+    ($simd:ident => $operation:expr) => {{
+        let level = $crate::simd::Level::new();
+        #[cfg(target_arch = "x86_64")]
+        {
+            use $crate::simd::Simd as _;
+            if let Some($simd) = level.as_avx2() {
+                $simd.vectorize(
+                    #[inline(always)]
+                    || $operation,
+                )
+            } else if let Some($simd) = level.as_sse2() {
+                $operation
+            } else {
+                unreachable!("every x86-64 processor has SSE2")
+            }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            fearless_simd::dispatch!(level, $simd => $operation)
+        }
+    }};
+}
+pub(crate) use vectorized;
+
+use crate::Scalar;
+
+/// Four numbers from memory.
+#[inline(always)]
+pub fn load<T: Scalar, S: Simd>(simd: S, row: &[T; 4]) -> T::Four<S> {
+    T::Four::<S>::load_array_ref(simd, row)
+}
+
+/// One number four times.
+#[inline(always)]
+pub fn splat<T: Scalar, S: Simd>(simd: S, value: T) -> T::Four<S> {
+    T::Four::<S>::splat(simd, value)
+}
+
+/// `row += sum`.
+#[inline(always)]
+pub fn add_to<T: Scalar, S: Simd>(simd: S, row: &mut [T; 4], sum: T::Four<S>) {
+    (load(simd, row) + sum).store_array(row);
+}

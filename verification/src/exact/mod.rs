@@ -1,0 +1,3 @@
+//! Closed forms that runs are measured against.
+
+pub mod sine_wave;

@@ -1,0 +1,4 @@
+//! From the state of a simulation to numbers. The same measures serve every method.
+
+pub mod cell_centers;
+pub mod norms;

@@ -1,0 +1,97 @@
+//! Drives the real binary: what it prints, what it writes and how it exits.
+
+mod common;
+
+use std::path::Path;
+use std::process::Output;
+
+use common::{code, stderr, stdout, verify};
+
+fn assert_usage_error(output: &Output, parts: &[&str]) {
+    assert_eq!(code(output), 2, "{}", stderr(output));
+    for part in parts {
+        assert!(stderr(output).contains(part), "no {part:?} in: {}", stderr(output));
+    }
+    assert!(stdout(output).is_empty());
+}
+
+fn is_empty(folder: &Path) -> bool {
+    folder.read_dir().expect("a folder").next().is_none()
+}
+
+#[test]
+fn help_of_every_command() {
+    for command in [
+        &["--help"][..],
+        &["list", "--help"],
+        &["run", "--help"],
+        &["report", "--help"],
+        &["check", "--help"],
+    ] {
+        let output = verify(command);
+        assert_eq!(code(&output), 0);
+        let name = format!("help_{}", command[0].trim_start_matches('-'));
+        insta::assert_snapshot!(name, stdout(&output));
+    }
+}
+
+#[test]
+fn list_as_text_and_as_json() {
+    let out = tempfile::tempdir().expect("a folder");
+    let folder = out.path().to_str().expect("a name");
+    let text = verify(&["list", "--out", folder]);
+    assert_eq!(code(&text), 0);
+    for part in ["sine-wave: ", "tpm, tpm-vp, mpm", "0 to 4", "tier paper, 0 on record"] {
+        assert!(stdout(&text).contains(part), "{}", stdout(&text));
+    }
+    let json = verify(&["list", "--out", folder, "--format", "json", "--tier", "smoke"]);
+    let cases: serde_json::Value = serde_json::from_str(&stdout(&json)).expect("JSON");
+    assert_eq!(cases[0]["case"], "sine-wave");
+    assert_eq!(cases[0]["runs"][0]["on_record"], false);
+    assert!(is_empty(out.path()), "listing writes nothing");
+}
+
+#[test]
+fn unknown_names_list_the_names_allowed() {
+    assert_usage_error(&verify(&["list", "--case", "nope"]), &["`nope`", "sine-wave"]);
+    assert_usage_error(&verify(&["--case", "nope"]), &["`nope`", "sine-wave"]);
+    let output = verify(&["run", "--variant", "tpmm"]);
+    assert_usage_error(&output, &["`tpmm`", "tpm, tpm-vp", "bspline3"]);
+    assert_usage_error(&verify(&["run", "--tier", "huge"]), &["smoke", "paper", "full"]);
+    assert_usage_error(&verify(&["walk"]), &["walk"]);
+}
+
+#[test]
+fn numbers_out_of_range_are_refused() {
+    assert_usage_error(&verify(&["run", "--level", "9"]), &["level 9", "0 to 4"]);
+    assert_usage_error(&verify(&["run", "--level", "-1"]), &["-1"]);
+    assert_usage_error(&verify(&["run", "--level", "fine"]), &["fine"]);
+    assert_usage_error(&verify(&["run", "--threads", "0"]), &["1..=1024"]);
+}
+
+#[test]
+fn an_output_that_is_not_a_folder_is_named_and_left_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("file");
+    std::fs::write(&file, "kept").expect("a file");
+    for out in [file.clone(), file.join("below")] {
+        let name = out.to_str().expect("a name");
+        for command in ["run", "report", "check"] {
+            assert_usage_error(&verify(&[command, "--tier", "smoke", "--out", name]), &[]);
+        }
+        assert_usage_error(&verify(&["run", "--tier", "smoke", "--out", name]), &[name]);
+    }
+    assert_eq!(std::fs::read_to_string(&file).expect("the file"), "kept");
+    assert_usage_error(&verify(&["run", "--out", "/proc/nowhere"]), &["/proc/nowhere"]);
+}
+
+#[test]
+fn report_and_check_without_records_say_so_and_write_nothing() {
+    let out = tempfile::tempdir().expect("a folder");
+    let folder = out.path().to_str().expect("a name");
+    for command in ["report", "check"] {
+        let output = verify(&[command, "--out", folder]);
+        assert_usage_error(&output, &["no records", folder, "verify run"]);
+    }
+    assert!(is_empty(out.path()));
+}
