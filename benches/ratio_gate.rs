@@ -3,14 +3,17 @@
 //!
 //! Both run in turns in one process; the shortest thread CPU time counts. Exit code 1 on failure.
 
+#[expect(dead_code, reason = "each bench takes a part of it")]
 mod generic;
 #[expect(dead_code, reason = "each bench takes a part of it")]
 mod plain;
 mod timing;
 
 use plain::Stepper;
-use plain::apic_quadratic::{Apic2, Apic3};
-use plain::mpm_linear::{Mpm2, Mpm3};
+use plain::apic_quadratic_2d::Apic2;
+use plain::apic_quadratic_3d::Apic3;
+use plain::mpm_linear_2d::Mpm2;
+use plain::mpm_linear_3d::Mpm3;
 use plain::scene::{DT, Layout, scene};
 use plain::tpm_linear::Tpm2;
 use timing::{in_turns, short, thread_time, wall_time};

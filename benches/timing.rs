@@ -38,8 +38,8 @@ pub fn in_turns(
         b();
         let end = clock();
         if repetition >= 2 {
-            shortest[0] = shortest[0].min(middle - start);
-            shortest[1] = shortest[1].min(end - middle);
+            shortest[0] = shortest[0].min(middle.saturating_sub(start));
+            shortest[1] = shortest[1].min(end.saturating_sub(middle));
         }
     }
     shortest.map(|time| time.as_secs_f64())

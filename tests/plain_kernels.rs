@@ -7,8 +7,10 @@ mod generic;
 #[expect(dead_code, reason = "each user takes a part of it")]
 mod plain;
 
-use plain::apic_quadratic::{Apic2, Apic3};
-use plain::mpm_linear::{Mpm2, Mpm3};
+use plain::apic_quadratic_2d::Apic2;
+use plain::apic_quadratic_3d::Apic3;
+use plain::mpm_linear_2d::Mpm2;
+use plain::mpm_linear_3d::Mpm3;
 use plain::scene::{DT, Layout, REFERENCE_DENSITY, SOUND_SPEED, scene_of_cells};
 use plain::tpm_linear::Tpm2;
 use plain::{State, Stepper};

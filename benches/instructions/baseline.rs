@@ -55,11 +55,12 @@ impl Baselines {
 
     /// Writes the file.
     pub fn write(&self) -> Result<(), String> {
-        let mut text = format!("{HEADER}\n");
-        for Entry { workload, toolchain, level, instructions } in &self.0 {
-            text += &format!("{workload},{toolchain},{level},{instructions:.0}\n");
-        }
-        fs::write(path(), text).map_err(|error| format!("{}: {error}", path().display()))
+        let line = |e: &Entry| {
+            format!("{},{},{},{:.0}\n", e.workload, e.toolchain, e.level, e.instructions)
+        };
+        let text: String = self.0.iter().map(line).collect();
+        fs::write(path(), format!("{HEADER}\n{text}"))
+            .map_err(|error| format!("{}: {error}", path().display()))
     }
 }
 

@@ -4,8 +4,9 @@ use std::hint::black_box;
 
 use crate::generic;
 use crate::plain::Stepper;
-use crate::plain::apic_quadratic::{Apic2, Apic3};
-use crate::plain::mpm_linear::Mpm2;
+use crate::plain::apic_quadratic_2d::Apic2;
+use crate::plain::apic_quadratic_3d::Apic3;
+use crate::plain::mpm_linear_2d::Mpm2;
 use crate::plain::scene::{DT, Layout, scene_of_cells};
 use crate::plain::tpm_linear::Tpm2;
 

@@ -52,6 +52,11 @@ macro_rules! scheme {
                 &self.nodes
             }
 
+            /// Replaces the nodes.
+            pub fn set_nodes(&mut self, nodes: Vec<$node>) {
+                self.nodes = nodes;
+            }
+
             /// Sorts the points again.
             pub fn sort(&mut self) {
                 self.points.sort();
@@ -82,14 +87,16 @@ macro_rules! scheme {
         }
     };
 }
-pub mod apic_quadratic;
-pub mod mpm_linear;
+pub mod apic_quadratic_2d;
+pub mod apic_quadratic_3d;
+pub mod mpm_linear_2d;
+pub mod mpm_linear_3d;
 pub mod points;
 pub mod row;
 pub mod scene;
 pub mod tpm_linear;
 
-use std::ops::{Add, AddAssign, Mul, Range};
+use std::ops::{Add, AddAssign, DivAssign, Mul, MulAssign, Range};
 
 use fearless_simd::{Simd, SimdFloat, SimdFloatElement, f32x4, f64x4};
 use num_traits::Float;
@@ -97,12 +104,16 @@ use num_traits::Float;
 pub use points::{Points, PointsMut, State};
 
 /// `f32` or `f64`.
-pub trait Real: Float + SimdFloatElement + AddAssign + Default + Send + Sync + 'static {
+pub trait Real:
+    Float + SimdFloatElement + AddAssign + DivAssign + Default + Send + Sync + 'static
+{
     /// Four numbers in one register; products and sums are rounded one by one, so that the results do
     /// not depend on the instruction set.
     type Four<S: Simd>: SimdFloat<S, Element = Self, Array = [Self; 4]>
         + Add<Output = Self::Four<S>>
-        + Mul<Output = Self::Four<S>>;
+        + AddAssign
+        + Mul<Output = Self::Four<S>>
+        + MulAssign;
     /// Rounds a literal.
     fn lit(x: f64) -> Self;
     /// Converts an index.
@@ -115,6 +126,11 @@ pub trait Real: Float + SimdFloatElement + AddAssign + Default + Send + Sync + '
 
 macro_rules! real {
     ($($t:ty, $four:ident);*) => {$(
+        #[allow(
+            clippy::cast_lossless,
+            clippy::cast_possible_wrap,
+            reason = "signed 32-bit integers convert in one instruction"
+        )]
         impl Real for $t {
             type Four<S: Simd> = $four<S>;
             #[inline(always)]

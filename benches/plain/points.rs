@@ -1,5 +1,7 @@
 //! Points as a structure of arrays in the order of their cells.
 
+#![expect(clippy::inline_always, reason = "kernels must take the caller's instruction set")]
+
 use transpoint::Scene;
 use transpoint::scene::EquationOfStateSpec;
 
@@ -211,7 +213,7 @@ impl<T: Real, const D: usize> PointsMut<'_, T, D> {
             let xi = self.position[p][a] * per_h - T::index(cell[a]);
             moved |= xi < T::zero() || xi >= T::one();
         }
-        self.density[p] = self.density[p] / (T::one() + dt * divergence);
+        self.density[p] /= T::one() + dt * divergence;
         moved
     }
 

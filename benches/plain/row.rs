@@ -1,5 +1,7 @@
 //! The quadratic B-splines of one axis.
 
+#![expect(clippy::inline_always, reason = "kernels must take the caller's instruction set")]
+
 use super::Real;
 
 /// The three functions of one axis at a point.
@@ -8,9 +10,9 @@ pub struct Row<T> {
     pub value: [T; 3],
     /// dN/dx, 1/m.
     pub slope: [T; 3],
-    /// N (x_i − x_p), m.
+    /// N (x − p) of a node at x and the point at p, m.
     pub moment: [T; 3],
-    /// 1 / Σ N (x_i − x_p)², 1/m².
+    /// 1 / Σ N (x − p)², 1/m².
     pub per_second: T,
 }
 

@@ -33,7 +33,7 @@ pub fn scene<const D: usize>(n_points: usize, layout: Layout) -> Scene<D> {
 pub fn scene_of_cells<const D: usize>(cells: [usize; D], layout: Layout) -> Scene<D> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let n_cells: usize = cells.iter().product();
-    let volume = SPACING.powi(D as i32) / f64::from(1 << D);
+    let volume = (SPACING / 2.0).powi(i32::try_from(D).expect("a small dimension"));
     let mut points = Vec::with_capacity(n_cells << D);
     for c in 0..n_cells {
         for corner in 0..1_usize << D {

@@ -1,11 +1,13 @@
 //! The transport point method in a full 2D box: moving least squares with a linear basis and a cubic
 //! spline of half width one cell, one integration point at the centre of each cell, FLIP.
 
+#![expect(clippy::inline_always, reason = "kernels must take the caller's instruction set")]
+
 use fearless_simd::{Level, Simd, dispatch, prelude::*};
 use rayon::prelude::*;
 use transpoint::Scene;
 
-use super::mpm_linear::gather_layers2;
+use super::mpm_linear_2d::gather_layers2;
 use super::{Points, Real, State, Stepper};
 
 /// The 2D scheme.
@@ -151,32 +153,29 @@ fn fit<S: Simd, T: Real, const F: usize>(
             let y = four(q.map(|p| points.position[p][1])) * splat(per_h) + splat(-at[1]);
             let mut weight = spline::<S, T>(simd, x) * spline::<S, T>(simd, y);
             if chunk + 4 > end {
-                weight =
-                    weight
-                        * four(std::array::from_fn(|l| {
-                            if chunk + l < end { T::one() } else { T::zero() }
-                        }));
+                let within = |l| if chunk + l < end { T::one() } else { T::zero() };
+                weight *= four(std::array::from_fn(within));
             }
             let (wx, wy) = (weight * x, weight * y);
             let terms = [weight, wx, wy, wx * x, wx * y, wy * y];
             for (moment, term) in moments.iter_mut().zip(terms) {
-                *moment = *moment + term;
+                *moment += term;
             }
             let values = q.map(&fields);
             for f in 0..F {
                 let value = four(values.map(|v| v[f]));
                 for (sum, term) in sums[f].iter_mut().zip([weight, wx, wy]) {
-                    *sum = *sum + term * value;
+                    *sum += term * value;
                 }
             }
         }
     }
-    let [m, mx, my, mxx, mxy, myy] = moments.map(|moment| moment.reduce_sum());
+    let [m, mx, my, mxx, mxy, myy] = moments.map(SimdBase::reduce_sum);
     let row = [mxx * myy - mxy * mxy, my * mxy - mx * myy, mx * mxy - my * mxx];
     let determinant = m * row[0] + mx * row[1] + my * row[2];
     let regular = determinant > T::lit(1e-6) * m * m * m;
     sums.map(|sum| {
-        let sum = sum.map(|s| s.reduce_sum());
+        let sum = sum.map(SimdBase::reduce_sum);
         if regular {
             (sum[0] * row[0] + sum[1] * row[1] + sum[2] * row[2]) / determinant
         } else {
