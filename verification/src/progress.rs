@@ -51,6 +51,7 @@ impl Reporter {
             let overall = bars.add(ProgressBar::new(total as u64).with_style(style(
                 "{pos:>4}/{len} runs [{bar:30}] {elapsed_precise} elapsed, about {eta} left",
             )));
+            overall.tick();
             (bars, overall)
         });
         Self { bars, quiet, total, done: AtomicUsize::new(0) }
@@ -75,15 +76,6 @@ impl Reporter {
             overall.inc(1);
         } else if !self.quiet {
             say(&format!("[{done:>4}/{}] {name}: {remark}", self.total));
-        }
-    }
-
-    /// Says something that is not progress, unless quiet.
-    pub fn note(&self, text: &str) {
-        if let Some((bars, _)) = &self.bars {
-            bars.suspend(|| say(text));
-        } else if !self.quiet {
-            say(text);
         }
     }
 }

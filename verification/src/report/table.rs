@@ -110,7 +110,7 @@ pub fn markdown<S: AsRef<str>>(columns: &[S], rows: impl Iterator<Item = Vec<Str
 pub fn terminal<S: AsRef<str>>(columns: &[S], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut table = comfy_table::Table::new();
     table
-        .load_style(comfy_table::presets::UTF8_HORIZONTAL_ONLY)
+        .load_style(comfy_table::presets::UTF8_BORDERS_ONLY)
         .set_header(columns.iter().map(AsRef::as_ref));
     for row in rows {
         table.add_row(row);
