@@ -63,11 +63,11 @@ fn triad(n_threads: usize) -> f64 {
     })
 }
 
-/// Ten independent chains of x ← x m + d, long enough to hide the latency of either form.
+/// Twelve independent chains of x ← x m + d, long enough to hide the latency of either form.
 #[expect(clippy::inline_always, reason = "takes the caller's instruction set")]
 #[inline(always)]
 fn chains<S: Simd>(simd: S, n: u32, fused: bool) -> f64 {
-    let mut x = [f64x4::splat(simd, black_box(1.0)); 10];
+    let mut x = [f64x4::splat(simd, black_box(1.0)); 12];
     let m = f64x4::splat(simd, black_box(0.999));
     let d = f64x4::splat(simd, black_box(1e-3));
     for _ in 0..n {
@@ -80,7 +80,7 @@ fn chains<S: Simd>(simd: S, n: u32, fused: bool) -> f64 {
 
 fn arithmetic(n_threads: usize, fused: bool) -> f64 {
     let (n, level) = (200_000, Level::new());
-    rate(80.0 * f64::from(n) * n_threads as f64, || {
+    rate(96.0 * f64::from(n) * n_threads as f64, || {
         (0..n_threads).into_par_iter().for_each(|_| {
             black_box(dispatch!(level, simd => chains(simd, n, fused)));
         });
