@@ -227,13 +227,13 @@ fn first_column_of_inverse<T: Scalar, const M: usize>(matrix: &[[T; M]; M]) -> O
     x[0] = T::one();
     for i in 1..M {
         for k in 0..i {
-            x[i] = x[i] - factor[i][k] * inverse_pivot[k] * x[k];
+            x[i] -= factor[i][k] * inverse_pivot[k] * x[k];
         }
     }
     for i in (0..M).rev() {
         x[i] *= inverse_pivot[i];
         for k in i + 1..M {
-            x[i] = x[i] - factor[k][i] * inverse_pivot[i] * x[k];
+            x[i] -= factor[k][i] * inverse_pivot[i] * x[k];
         }
     }
     Some(x)

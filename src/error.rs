@@ -16,7 +16,11 @@ pub struct InvalidInput {
 
 impl InvalidInput {
     /// Builds the error from anything printable.
-    pub fn new(field: impl Into<String>, value: impl ToString, allowed: impl Into<String>) -> Self {
+    pub fn new(
+        field: impl Into<String>,
+        value: impl std::fmt::Display,
+        allowed: impl Into<String>,
+    ) -> Self {
         Self { field: field.into(), value: value.to_string(), allowed: allowed.into() }
     }
 }

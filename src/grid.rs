@@ -157,13 +157,15 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
 
 #[inline(always)]
 fn unravel<const D: usize>(index: usize, size: impl Fn(usize) -> usize) -> [usize; D] {
-    let mut rest = index;
+    // All numbers are below 2³², and 32-bit division takes half the time.
+    let mut rest = index as u32;
     let mut at = [0; D];
-    for axis in (0..D).rev() {
-        let n = size(axis);
-        at[axis] = rest % n;
+    for axis in (1..D).rev() {
+        let n = size(axis) as u32;
+        at[axis] = (rest % n) as usize;
         rest /= n;
     }
+    at[0] = rest as usize;
     at
 }
 

@@ -29,11 +29,13 @@ pub mod formulation;
 pub mod stress;
 
 pub mod method;
+pub mod settings;
 pub mod step;
 
 pub mod conservation;
 pub mod simulation;
 pub mod solver;
+mod stable_step;
 pub mod telemetry;
 pub mod time_step;
 pub mod variants;
@@ -44,3 +46,8 @@ pub use scene::Scene;
 pub use simulation::{Observation, Simulation};
 pub use solver::Solver;
 pub use variants::{Settings, Variant};
+
+/// Compiles the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

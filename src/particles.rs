@@ -91,6 +91,19 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         permute(&mut self.stress, &source.stress, order);
     }
 
+    /// A range of the points, every array cut to the same length.
+    #[inline(always)]
+    pub fn part(&self, range: std::ops::Range<usize>) -> ParticlesRef<'_, T, D, A, S> {
+        ParticlesRef {
+            position: &self.position[range.clone()],
+            velocity: &self.velocity[range.clone()],
+            density: &self.density[range.clone()],
+            mass: &self.mass[range.clone()],
+            affine: &self.affine[range.clone()],
+            stress: &self.stress[range],
+        }
+    }
+
     /// All fields that a step changes, as one view that can be cut at a point.
     pub fn view(&mut self) -> ParticlesMut<'_, T, D, A, S> {
         ParticlesMut {
@@ -121,6 +134,23 @@ fn permute<A: Copy + Send + Sync>(target: &mut Vec<A>, source: &[A], order: &[u3
     });
 }
 
+/// Consecutive points to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct ParticlesRef<'a, T, const D: usize, A, S> {
+    /// Position, m.
+    pub position: &'a [[T; D]],
+    /// Velocity, m/s.
+    pub velocity: &'a [[T; D]],
+    /// Density, kg/m³.
+    pub density: &'a [T],
+    /// Mass, kg.
+    pub mass: &'a [T],
+    /// Affine velocity field, 1/s.
+    pub affine: &'a [A],
+    /// Deviatoric stress, Pa.
+    pub stress: &'a [S],
+}
+
 /// The changing fields of consecutive points.
 #[derive(Debug)]
 pub struct ParticlesMut<'a, T, const D: usize, A, S> {
@@ -138,6 +168,22 @@ pub struct ParticlesMut<'a, T, const D: usize, A, S> {
     pub stress: &'a mut [S],
     /// Identifiers.
     pub id: &'a [u32],
+}
+
+impl<T, const D: usize, A, S> ParticlesMut<'_, T, D, A, S> {
+    /// A range of these points, every array cut to the same length.
+    #[inline(always)]
+    pub fn part(&mut self, range: std::ops::Range<usize>) -> ParticlesMut<'_, T, D, A, S> {
+        ParticlesMut {
+            cell: &mut self.cell[range.clone()],
+            position: &mut self.position[range.clone()],
+            velocity: &mut self.velocity[range.clone()],
+            density: &mut self.density[range.clone()],
+            affine: &mut self.affine[range.clone()],
+            stress: &mut self.stress[range.clone()],
+            id: &self.id[range],
+        }
+    }
 }
 
 impl<T: Send + Sync, const D: usize, A: Send + Sync, S: Send + Sync> Split

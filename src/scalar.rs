@@ -1,7 +1,5 @@
 //! The floating-point type of a simulation.
 
-#![expect(clippy::inline_always, reason = "conversions of literals must vanish in hot kernels")]
-
 use std::ops::{Add, Mul};
 
 use fearless_simd::{Simd, SimdFloat, SimdFloatElement, f32x4, f64x4};

@@ -128,7 +128,7 @@ mod axes2 {
         rows: &[[f64; D]; D],
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(rows.iter().map(|row| row.as_slice()))
+        serializer.collect_seq(rows.iter().map(<[f64; D]>::as_slice))
     }
 
     pub fn deserialize<'de, S: Deserializer<'de>, const D: usize>(

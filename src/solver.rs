@@ -13,7 +13,6 @@ use crate::quadrature::{Quadrature, classify};
 use crate::scene::Scene;
 use crate::scene_check::check_points;
 use crate::shape::ShapeFunction;
-use crate::simulation::StableTimeStep;
 use crate::step::{
     AffineOf, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics, ScatterParts,
     StateSource, StressOf, View, constrain, divergence, fuses_impulse, grid_to_particles,
@@ -21,7 +20,6 @@ use crate::step::{
 };
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
-use crate::time_step;
 use crate::transfer::Transfer;
 use crate::variants::StressUpdate;
 
@@ -261,7 +259,7 @@ where
     fn describe(&self, point: usize, failure: Failure) -> StepError {
         let p = &self.particles;
         let (id, time) = (p.id[point], self.time);
-        let finite = |v: &[T; D]| v.iter().all(|c| c.is_finite());
+        let finite = |v: &[T; D]| v.iter().all(nalgebra::ComplexField::is_finite);
         match failure {
             Failure::NotFinite => {
                 let field = if !finite(&p.velocity[point]) {
@@ -281,37 +279,5 @@ where
                 StepError::LeftDomain { id, position, time }
             }
         }
-    }
-}
-
-/// The time step of the points' present state.
-impl<T, const D: usize, M, K> Solver<T, D, M, K>
-where
-    T: Scalar,
-    M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
-{
-    /// The smallest limit of [`time_step`] times `courant`, with its name.
-    ///
-    /// The acoustic limit is that of full cells for every method, so that all are run at the same
-    /// Courant number; a limit without a cause (no viscosity, no force) is infinite.
-    pub fn stable_time_step(&self, courant: f64) -> StableTimeStep {
-        let spacing = self.grid.spacing;
-        let (mut sound, mut speed) = (T::zero(), T::zero());
-        for (&density, v) in self.particles.density.iter().zip(&self.particles.velocity) {
-            sound = sound.max(self.physics.equation_of_state.sound_speed(density));
-            speed = speed.max(crate::math::dot(*v, *v));
-        }
-        let limits = [
-            ("acoustic", time_step::acoustic_cell(spacing, sound)),
-            ("advective", time_step::advective(spacing, speed.sqrt())),
-            ("viscous", time_step::viscous(spacing, self.physics.stress.viscosity())),
-            ("body-force", time_step::body_force(spacing, self.physics.body_force)),
-        ];
-        let (limit, dt) = limits.into_iter().fold(("none", f64::INFINITY), |least, (name, dt)| {
-            let dt = dt.as_f64();
-            if dt < least.1 { (name, dt) } else { least }
-        });
-        StableTimeStep { dt: courant * dt, limit }
     }
 }

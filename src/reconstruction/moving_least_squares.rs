@@ -60,12 +60,23 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
         let per_support = T::one() / self.support;
         let limits = self.positivity.is_some();
         let neighborhood = Neighborhood::around(cloud.grid, target, self.support);
-        cloud.visit(neighborhood, target, |point, offset| {
-            let scaled = offset.map(|x| x * per_support);
-            let phi = scaled.iter().fold(T::one(), |product, &r| product * weight(r));
-            let own = if limits { own(offset) } else { T::zero() };
-            system.add(phi, &B::values(scaled), own, field(point));
-        });
+        cloud.visit(
+            neighborhood,
+            target,
+            #[inline(always)]
+            |point, offset| {
+                let mut scaled = offset;
+                let mut phi = T::one();
+                for axis in 0..D {
+                    scaled[axis] *= per_support;
+                    phi *= weight(scaled[axis]);
+                }
+                if phi > T::zero() {
+                    let own = if limits { own(offset) } else { T::zero() };
+                    system.add(phi, &B::values(scaled), own, field(point));
+                }
+            },
+        );
         system.solve(self.positivity)
     }
 }

@@ -1,10 +1,5 @@
 //! Grid shape functions: one-dimensional rows whose tensor product gives the weights of a point.
 
-#![expect(
-    clippy::inline_always,
-    reason = "rows are evaluated per point and step in the hot kernels"
-)]
-
 mod bspline;
 mod gimp;
 mod linear;

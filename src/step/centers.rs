@@ -11,6 +11,7 @@ use crate::parallel::{fold_blocks, for_each_block};
 use crate::quadrature::{Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
+use crate::simd::vectorized;
 use crate::stencil::{for_each_outer_row, rows_at_center};
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
@@ -50,14 +51,16 @@ where
 {
     let quadrature = view.method.quadrature();
     let work = |slots: std::ops::Range<usize>, part: &mut [Center<T, StressOf<T, D, K>>]| {
-        let mut counters = Counters::default();
-        for (slot, center) in slots.zip(part) {
-            *center = match quadrature.samples(view.cells.kind[slot]) {
-                Samples::Center => full_cell(view, slot, &mut counters),
-                Samples::Points => cut_cell(view, slot),
-            };
-        }
-        counters
+        vectorized!(_simd => {
+            let mut counters = Counters::default();
+            for (slot, center) in slots.zip(part) {
+                *center = match quadrature.samples(view.cells.kind[slot]) {
+                    Samples::Center => full_cell(view, slot, &mut counters),
+                    Samples::Points => cut_cell(view, slot),
+                };
+            }
+            counters
+        })
     };
     fold_blocks(centers.len(), CELL_GRAIN, centers, &|slot| slot, &work, &Counters::sum)
 }
@@ -76,9 +79,12 @@ where
 {
     let particles = view.particles;
     let cell = view.grid.cell_coordinates(view.cells.index[slot]);
-    let fit = view.method.reconstruction().at_center(&view.cloud(), cell, |point| {
-        (Value(particles.density[point]), particles.stress[point])
-    });
+    let fit = view.method.reconstruction().at_center(
+        &view.cloud(),
+        cell,
+        #[inline(always)]
+        |point| (Value(particles.density[point]), particles.stress[point]),
+    );
     counters.count_fit(&fit);
     let (Value(density), stress) = fit.value().unwrap_or_else(|| {
         // The cell's own points all lie where the weight is zero: take the first of them.

@@ -1,9 +1,12 @@
 //! The phases of a time step: points → grid → points.
 
+mod cell_divergence;
 mod centers;
+mod gather;
 mod grid_to_particles;
 mod node_velocity;
 mod particles_to_grid;
+mod spread;
 mod update_grid;
 
 pub use centers::{Center, divergence, rebuild_centers};

@@ -9,6 +9,7 @@ use crate::parallel::{fold_blocks, for_each_block};
 use crate::quadrature::Quadrature;
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
+use crate::simd::vectorized;
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
@@ -47,13 +48,19 @@ where
         return Counters::default();
     }
     let work = |nodes: std::ops::Range<usize>, part: &mut [[T; 4]]| {
-        let mut counters = Counters::default();
-        for (node, out) in nodes.zip(part) {
-            let at = view.grid.node_coordinates(index[node]);
-            let rebuilt = is_interior(view, at).then(|| rebuild(view, at, &mut counters)).flatten();
-            *out = rebuilt.unwrap_or_else(|| transfer_velocity::<T, D>(transfer[node]));
-        }
-        counters
+        vectorized!(_simd => {
+            let mut counters = Counters::default();
+            for (node, out) in nodes.zip(part) {
+                let at = view.grid.node_coordinates(index[node]);
+                let rebuilt =
+                    if is_interior(view, at) { rebuild(view, at, &mut counters) } else { None };
+                *out = match rebuilt {
+                    Some(velocity) => velocity,
+                    None => transfer_velocity::<T, D>(transfer[node]),
+                };
+            }
+            counters
+        })
     };
     fold_blocks(index.len(), NODE_GRAIN, velocity, &|node| node, &work, &Counters::sum)
 }
@@ -70,21 +77,29 @@ where
     K: DeviatoricStress<T, D>,
 {
     let shape = view.method.shape();
-    let at = std::array::from_fn(|axis| {
-        shape.node_coordinate(node[axis], view.grid.n_cells[axis], view.grid.periodic[axis])
-    });
+    let mut at = [T::zero(); D];
+    for axis in 0..D {
+        let (n, periodic) = (view.grid.n_cells[axis], view.grid.periodic[axis]);
+        at[axis] = shape.node_coordinate(node[axis], n, periodic);
+    }
     let p = view.particles;
-    let fit = view.method.reconstruction().at_node(&view.cloud(), at, |point| {
-        let density = p.density[point];
-        let mut row = [T::zero(); 4];
-        for axis in 0..D {
-            row[axis] = density * p.velocity[point][axis];
-        }
-        row[3] = density;
-        Row4(row)
-    });
+    let fit = view.method.reconstruction().at_node(
+        &view.cloud(),
+        at,
+        #[inline(always)]
+        |point| {
+            let density = p.density[point];
+            let mut row = [T::zero(); 4];
+            for axis in 0..D {
+                row[axis] = density * p.velocity[point][axis];
+            }
+            row[3] = density;
+            Row4(row)
+        },
+    );
     counters.count_fit(&fit);
-    fit.value().map(|Row4(row)| transfer_velocity::<T, D>(row))
+    let Row4(row) = fit.value()?;
+    Some(transfer_velocity::<T, D>(row))
 }
 
 /// Whether every cell of the box whose functions reach the node is full of fluid.

@@ -1,5 +1,6 @@
 //! Points and cells → nodes: momentum, mass and force.
 
+use super::spread::{Site, Spread};
 use super::{Center, StressOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
@@ -10,10 +11,8 @@ use crate::parallel::fold_blocks;
 use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, add_to, load, splat, vectorized};
-use crate::stencil::{
-    Rows, for_each_outer_row, moments_at, node_positions, rows_at, rows_at_center,
-};
+use crate::simd::{Simd, load, splat, vectorized};
+use crate::stencil::{moments_at, node_positions, rows_at, rows_at_center};
 use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
@@ -100,12 +99,13 @@ struct Target<'a, T> {
     node_begin: usize,
 }
 
-/// What a sample spreads over its nodes:
-/// `N value + Σ_a N (x_i − x)_a affine[a] + Σ_a ∂N/∂x_a flux[a]`, as node rows.
-struct Spread<F, const D: usize> {
-    value: F,
-    affine: [F; D],
-    flux: [F; D],
+impl<'a, T> Target<'a, T> {
+    /// First node of each stencil row of a cell.
+    #[inline(always)]
+    fn starts<const D: usize>(&self, reach: usize, slot: usize) -> &'a [u32] {
+        let n_rows = reach.pow(D as u32 - 1);
+        &self.rows[slot * n_rows..(slot + 1) * n_rows]
+    }
 }
 
 struct Input<'a, T, const D: usize, M, K>
@@ -191,10 +191,12 @@ where
             spread.flux[axis] = load(simd, &flux[axis]);
         }
         let none = [[T::zero(); MAX_WIDTH]; D];
-        let fused = fuses_impulse::<T, D, M>();
-        let sums = if fused { &mut *target.transfer } else { &mut *target.force };
-        let at = Place { rows: &rows, moments: &none, starts: target.rows, slot };
-        at.add::<S, M::Shape, false, true>(simd, target.node_begin, &spread, sums);
+        let site =
+            Site { rows: &rows, moments: &none, starts: target.starts::<D>(M::Shape::REACH, slot) };
+        let begin = target.node_begin;
+        let sums =
+            if fuses_impulse::<T, D, M>() { &mut *target.transfer } else { &mut *target.force };
+        site.add::<S, M::Shape>(simd, (false, true), begin, &spread, sums);
     }
 
     /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
@@ -226,15 +228,18 @@ where
         slot: usize,
         target: &mut Target<'_, T>,
     ) {
-        let (view, p) = (self.view, self.view.particles);
-        let shape = view.method.shape();
+        let view = self.view;
+        let (shape, grid) = (view.method.shape(), *view.grid);
+        let of_cell = view.cells.points(slot);
+        let (first, p) = (of_cell.start, view.particles.part(of_cell));
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
         let mut moments = [[T::zero(); MAX_WIDTH]; D];
-        let node_at = if affine { node_positions(&shape, view.grid, cell) } else { moments };
+        let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
         let zero = splat(simd, T::zero());
-        for point in view.cells.points(slot) {
+        let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
+        for point in 0..p.position.len() {
             let position = p.position[point];
-            let rows = rows_at(&shape, view.grid, cell, position);
+            let rows = rows_at(&shape, &grid, cell, position);
             let (mass, density) = (p.mass[point], p.density[point]);
             let mut momentum = [T::zero(); 4];
             for axis in 0..D {
@@ -250,13 +255,12 @@ where
                     spread.affine[axis] = load(simd, &widen(column.map(|c| mass * c)));
                 }
             }
-            let at = Place { rows: &rows, moments: &moments, starts: target.rows, slot };
-            let begin = target.node_begin;
+            let site = Site { rows: &rows, moments: &moments, starts };
             let Some((volumes, with_pressure)) = &volumes else {
-                self.add_momentum(simd, &at, begin, &spread, target.transfer);
+                site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
                 continue;
             };
-            let (volume, sample_mass) = volumes.of(point, mass, density);
+            let (volume, sample_mass) = volumes.of(first + point, mass, density);
             let pressure = view.physics.equation_of_state.pressure(density);
             let work = if *with_pressure { volume * pressure } else { T::zero() };
             let flux = self.flux(work, volume, &p.stress[point]);
@@ -264,94 +268,12 @@ where
                 spread.flux[axis] = load(simd, &flux[axis]);
             }
             if fuses_impulse::<T, D, M>() {
-                if affine {
-                    at.add::<S, M::Shape, true, true>(simd, begin, &spread, target.transfer);
-                } else {
-                    at.add::<S, M::Shape, false, true>(simd, begin, &spread, target.transfer);
-                }
+                site.add::<S, M::Shape>(simd, (affine, true), begin, &spread, target.transfer);
             } else {
-                self.add_momentum(simd, &at, begin, &spread, target.transfer);
+                site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
                 spread.value = load(simd, &[T::zero(), T::zero(), T::zero(), sample_mass]);
-                at.add::<S, M::Shape, false, true>(simd, begin, &spread, target.force);
+                site.add::<S, M::Shape>(simd, (false, true), begin, &spread, target.force);
             }
         }
-    }
-
-    #[inline(always)]
-    fn add_momentum<S: Simd>(
-        &self,
-        simd: S,
-        at: &Place<'_, T, D>,
-        node_begin: usize,
-        spread: &Spread<T::Four<S>, D>,
-        transfer: &mut [[T; 4]],
-    ) {
-        if <M::Transfer as Transfer<T, D>>::AFFINE {
-            at.add::<S, M::Shape, true, false>(simd, node_begin, spread, transfer);
-        } else {
-            at.add::<S, M::Shape, false, false>(simd, node_begin, spread, transfer);
-        }
-    }
-}
-
-/// Where a sample sits: its functions and the nodes of its cell.
-struct Place<'a, T, const D: usize> {
-    rows: &'a Rows<T, D>,
-    moments: &'a [[T; MAX_WIDTH]; D],
-    starts: &'a [u32],
-    slot: usize,
-}
-
-impl<T: Scalar, const D: usize> Place<'_, T, D> {
-    /// Adds a spread to the node rows of `sums`, which begin at node `node_begin`.
-    #[inline(always)]
-    fn add<S: Simd, H: ShapeFunction<T>, const AFFINE: bool, const FLUX: bool>(
-        &self,
-        simd: S,
-        node_begin: usize,
-        spread: &Spread<T::Four<S>, D>,
-        sums: &mut [[T; 4]],
-    ) {
-        let n_rows = H::REACH.pow(D as u32 - 1);
-        let starts = &self.starts[self.slot * n_rows..(self.slot + 1) * n_rows];
-        let (rows, inner) = (self.rows, D - 1);
-        let last = &rows[inner];
-        let zero = splat(simd, T::zero());
-        let (mut weight, mut along) = ([zero; MAX_WIDTH], [zero; MAX_WIDTH]);
-        for k in 0..H::WIDTH {
-            weight[k] = splat(simd, last.weight[k]);
-            if AFFINE {
-                along[k] = spread.affine[inner] * splat(simd, self.moments[inner][k]);
-            }
-            if FLUX {
-                along[k] = along[k] + spread.flux[inner] * splat(simd, last.gradient[k]);
-            }
-        }
-        for_each_outer_row::<T, D, H>(
-            rows,
-            #[inline(always)]
-            |outer| {
-                let start = starts[outer.row] as usize + last.first - node_begin;
-                let outer_weight = splat(simd, outer.weight);
-                let mut row = spread.value * outer_weight;
-                for axis in 0..inner {
-                    if AFFINE {
-                        let moment = outer.replace(rows, axis, &self.moments[axis]);
-                        row = row + spread.affine[axis] * splat(simd, moment);
-                    }
-                    if FLUX {
-                        let gradient = outer.replace(rows, axis, &rows[axis].gradient);
-                        row = row + spread.flux[axis] * splat(simd, gradient);
-                    }
-                }
-                for (k, sum) in sums[start..start + H::WIDTH].iter_mut().enumerate() {
-                    let mut part = row * weight[k];
-                    if AFFINE || FLUX {
-                        part = part + along[k] * outer_weight;
-                    }
-                    add_to(simd, sum, part);
-                }
-            },
-        );
     }
 }

@@ -1,3 +1,4 @@
 //! Closed forms that runs are measured against.
 
 pub mod sine_wave;
+pub mod smooth_field;

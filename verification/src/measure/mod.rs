@@ -2,3 +2,4 @@
 
 pub mod cell_centers;
 pub mod norms;
+pub mod spectral;

@@ -24,8 +24,8 @@ pub const GRID: RGBColor = RGBColor(222, 222, 222);
 pub const GUIDE: RGBColor = RGBColor(110, 110, 110);
 
 /// Okabe and Ito's palette, told apart with any colour vision; grey stands in for yellow, which
-/// does not show on white.
-const PALETTE: [RGBColor; 8] = [
+/// does not show on white, and a dark indigo is added.
+const PALETTE: [RGBColor; 9] = [
     RGBColor(213, 94, 0),
     RGBColor(0, 114, 178),
     RGBColor(0, 0, 0),
@@ -34,6 +34,7 @@ const PALETTE: [RGBColor; 8] = [
     RGBColor(230, 159, 0),
     RGBColor(204, 121, 167),
     RGBColor(140, 140, 140),
+    RGBColor(68, 34, 136),
 ];
 
 /// The canvas.
@@ -145,10 +146,11 @@ pub fn marker(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Result<(
         4 => &[&[(0, 11), (10, -7), (-10, -7), (0, 11)]],
         5 => &[&[(0, -12), (10, 0), (0, 12), (-10, 0), (0, -12)]],
         6 => &[&[(-11, 0), (11, 0)], &[(0, -11), (0, 11)]],
-        _ => {
+        7 => {
             let square = at(&[(-5, -5), (5, -5), (5, 5), (-5, 5)]);
             return canvas.draw(&Polygon::new(square, color(index))).map_err(drawing_error);
         }
+        _ => &[&[(0, -11), (0, 11)], &[(-9, -6), (9, 6)], &[(-9, 6), (9, -6)]],
     };
     strokes.iter().try_for_each(|offsets| line(canvas, at(offsets), style))
 }

@@ -1,0 +1,111 @@
+//! The parameters of methods: one policy for all variants.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::InvalidInput;
+use crate::formulation::PointDivergence;
+
+/// Parameters shared by every variant: one policy for all methods, printed with each table.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Settings {
+    /// When the density (and with it the stress) is updated within a step.
+    pub stress_update: StressUpdate,
+    /// Share of FLIP in the velocity update of variants that blend PIC and FLIP.
+    pub blend: Blend,
+    /// Half width of the moving-least-squares support, cells.
+    pub support: f64,
+    /// θ of the positivity limiter of moving least squares; absent: off.
+    pub positivity: Option<f64>,
+    /// Length of a uGIMP particle, cells, `0 < l ≤ 1`.
+    pub gimp_length: f64,
+    /// Volume of points in boundary cells (mixed quadrature).
+    pub point_volume: PointVolume,
+    /// Divergence at the points of `tpm-vp`.
+    pub point_divergence: PointDivergence,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            stress_update: StressUpdate::Last,
+            blend: Blend::PerStep(1.0),
+            support: 1.0,
+            positivity: None,
+            gimp_length: 0.5,
+            point_volume: PointVolume::Sphere,
+            point_divergence: PointDivergence::VertexMean,
+        }
+    }
+}
+
+impl Settings {
+    /// Checks every setting against its range.
+    ///
+    /// # Errors
+    /// Names the first setting out of range, its value and what is allowed.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        let (blend, blend_allowed, blend_holds) = match self.blend {
+            Blend::PerStep(share) => {
+                (share, "a FLIP share from 0 to 1", (0.0..=1.0).contains(&share))
+            }
+            Blend::RelaxationTime(tau) => {
+                (tau, "a positive relaxation time in s", tau.is_finite() && tau > 0.0)
+            }
+        };
+        let theta = self.positivity.unwrap_or(0.0);
+        let length = self.gimp_length;
+        let checks = [
+            ("blend", blend, blend_allowed, blend_holds),
+            (
+                "support",
+                self.support,
+                "a half width of 0.75 to 4 cells",
+                (0.75..=4.0).contains(&self.support),
+            ),
+            ("positivity", theta, "0 ≤ θ < 1", (0.0..1.0).contains(&theta)),
+            ("gimp_length", length, "0 < length ≤ 1 cell", length > 0.0 && length <= 1.0),
+        ];
+        for (field, value, allowed, holds) in checks {
+            if !holds {
+                return Err(InvalidInput::new(format!("settings.{field}"), value, allowed));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// When density and stress are updated: USF, USL or MUSL.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StressUpdate {
+    /// Before the forces, from the velocity at the start of the step (USF).
+    First,
+    /// At the end, from the advanced node velocity (USL).
+    Last,
+    /// At the end, from node velocities rebuilt from the advanced points (MUSL).
+    ModifiedLast,
+}
+
+/// How much of the FLIP update a step keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Blend {
+    /// The same share α in every step: 1 is FLIP, 0 is PIC.
+    PerStep(f64),
+    /// α = max(0, 1 − Δt/τ) with a relaxation time τ in s, so that the damping per second does not depend on
+    /// the step.
+    RelaxationTime(f64),
+}
+
+/// Volume given to a point of a boundary cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PointVolume {
+    /// Circle or sphere of half the distance to the nearest point, Eqs. (26)-(27) of \[Song2020\].
+    Sphere,
+    /// Carried volume m/ρ, at most the cell's volume over its number of points.
+    CarriedCapped,
+    /// Cell volume times its fill fraction min(1, Σ m/ρ / V), shared in proportion to the carried volumes.
+    VolumeFraction,
+}

@@ -1,0 +1,39 @@
+//! The time step that a running simulation may take.
+
+use crate::Scalar;
+use crate::method::Method;
+use crate::simulation::StableTimeStep;
+use crate::solver::Solver;
+use crate::stress::DeviatoricStress;
+use crate::time_step;
+
+impl<T, const D: usize, M, K> Solver<T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: DeviatoricStress<T, D>,
+{
+    /// The smallest limit of [`time_step`] times `courant`, with its name.
+    ///
+    /// The acoustic limit is that of full cells for every method, so that all are run at the same
+    /// Courant number; a limit without a cause (no viscosity, no force) is infinite.
+    pub fn stable_time_step(&self, courant: f64) -> StableTimeStep {
+        let spacing = self.grid.spacing;
+        let (mut sound, mut speed) = (T::zero(), T::zero());
+        for (&density, v) in self.particles.density.iter().zip(&self.particles.velocity) {
+            sound = sound.max(self.physics.equation_of_state.sound_speed(density));
+            speed = speed.max(crate::math::dot(*v, *v));
+        }
+        let limits = [
+            ("acoustic", time_step::acoustic_cell(spacing, sound)),
+            ("advective", time_step::advective(spacing, speed.sqrt())),
+            ("viscous", time_step::viscous(spacing, self.physics.stress.viscosity())),
+            ("body-force", time_step::body_force(spacing, self.physics.body_force)),
+        ];
+        let (limit, dt) = limits.into_iter().fold(("none", f64::INFINITY), |least, (name, dt)| {
+            let dt = dt.as_f64();
+            if dt < least.1 { (name, dt) } else { least }
+        });
+        StableTimeStep { dt: courant * dt, limit }
+    }
+}

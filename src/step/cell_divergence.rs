@@ -1,0 +1,70 @@
+//! The divergence that strains a point: at the point, or from the cells around it.
+
+use super::GridState;
+use crate::Scalar;
+use crate::cells::ABSENT;
+use crate::formulation::{Formulation, PointDivergence};
+use crate::method::Method;
+use crate::stress::DeviatoricStress;
+
+/// Divergence at the points of one cell.
+pub(super) enum CellDivergence<T> {
+    /// Trace of the velocity gradient at the point.
+    AtPoint,
+    /// Weighted mean of the 3^D cells around.
+    Around(PointDivergence, [T; 27]),
+}
+
+impl<T: Scalar> CellDivergence<T> {
+    #[inline(always)]
+    pub fn around<const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>>(
+        state: &GridState<'_, T, D, M, K>,
+        slot: usize,
+        cell: [usize; D],
+    ) -> Self {
+        let Formulation::VelocityPressure(kind) = state.method.formulation() else {
+            return Self::AtPoint;
+        };
+        let values = state.source.divergence;
+        let mut around = [values[slot]; 27];
+        if kind != PointDivergence::Constant {
+            for (code, value) in around.iter_mut().enumerate().take(3_usize.pow(D as u32)) {
+                let mut rest = code;
+                let shift = std::array::from_fn(|axis| {
+                    let step = (rest % 3) as i32 - 1;
+                    rest /= 3;
+                    let beyond = (step < 0 && cell[axis] == 0)
+                        || (step > 0 && cell[axis] + 1 == state.grid.n_cells[axis]);
+                    if beyond && !state.grid.periodic[axis] { 0 } else { step }
+                });
+                if let Some(neighbor) = state.grid.neighbor(cell, shift) {
+                    let slot = state.cells.slot_of[neighbor];
+                    if slot != ABSENT {
+                        *value = values[slot as usize];
+                    }
+                }
+            }
+        }
+        Self::Around(kind, around)
+    }
+
+    #[inline(always)]
+    pub fn at<const D: usize>(&self, xi: &[T; D]) -> T {
+        let (kind, around) = match self {
+            Self::AtPoint => return T::zero(),
+            Self::Around(PointDivergence::Constant, around) => return around[0],
+            Self::Around(kind, around) => (*kind, around),
+        };
+        let weights = xi.map(|x| kind.weights(x));
+        let mut sum = T::zero();
+        for (code, value) in around.iter().enumerate().take(3_usize.pow(D as u32)) {
+            let (mut rest, mut weight) = (code, T::one());
+            for row in weights {
+                weight *= row[rest % 3];
+                rest /= 3;
+            }
+            sum += weight * *value;
+        }
+        sum
+    }
+}

@@ -1,0 +1,142 @@
+//! The scatter kernel: one sample onto the nodes of its cell.
+
+use crate::Scalar;
+use crate::shape::{MAX_WIDTH, ShapeFunction};
+use crate::simd::{Simd, add_to, splat};
+use crate::stencil::Rows;
+
+/// What a sample spreads over its nodes, as node rows:
+/// `N value + Σ_a N (x_i − x)_a affine[a] + Σ_a ∂N/∂x_a flux[a]`.
+#[derive(Clone, Copy)]
+pub(super) struct Spread<F, const D: usize> {
+    pub value: F,
+    pub affine: [F; D],
+    pub flux: [F; D],
+}
+
+/// Where a sample sits: its functions, their first moments, and the first node of each stencil row.
+pub(super) struct Site<'a, T, const D: usize> {
+    pub rows: &'a Rows<T, D>,
+    pub moments: &'a [[T; MAX_WIDTH]; D],
+    pub starts: &'a [u32],
+}
+
+impl<T: Scalar, const D: usize> Site<'_, T, D> {
+    /// Adds a spread to the node rows of `sums`, which begin at node `begin`.
+    ///
+    /// `affine` and `flux` say which columns there are. The axes are contracted one by one; a node then
+    /// costs two four-wide products.
+    #[inline(always)]
+    pub fn add<S: Simd, H: ShapeFunction<T>>(
+        &self,
+        simd: S,
+        (affine, flux): (bool, bool),
+        begin: usize,
+        spread: &Spread<T::Four<S>, D>,
+        sums: &mut [[T; 4]],
+    ) {
+        let inner = D - 1;
+        let last = &self.rows[inner];
+        let zero = splat(simd, T::zero());
+        let mut along = [zero; MAX_WIDTH];
+        for k in 0..H::WIDTH {
+            if affine {
+                along[k] = spread.affine[inner] * splat(simd, self.moments[inner][k]);
+            }
+            if flux {
+                along[k] += spread.flux[inner] * splat(simd, last.gradient[k]);
+            }
+        }
+        let mut line = Line { site: self, begin, along, sums };
+        match D {
+            1 => line.add::<S, H>(simd, 0, spread.value, T::one(), affine || flux),
+            2 => {
+                let first = self.rows[0].first;
+                for i in 0..H::WIDTH {
+                    let row = self.contract(simd, (affine, flux), spread, 0, i);
+                    let weight = self.rows[0].weight[i];
+                    line.add::<S, H>(simd, first + i, row.value, weight, affine || flux);
+                }
+            }
+            _ => {
+                let first = self.rows[0].first * H::REACH + self.rows[1].first;
+                for i in 0..H::WIDTH {
+                    let plane = self.contract(simd, (affine, flux), spread, 0, i);
+                    for j in 0..H::WIDTH {
+                        let row = self.contract(simd, (affine, flux), &plane, 1, j);
+                        let weight = self.rows[0].weight[i] * self.rows[1].weight[j];
+                        let index = first + i * H::REACH + j;
+                        line.add::<S, H>(simd, index, row.value, weight, affine || flux);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes function `k` of an axis but the last; the last axis' columns are left alone.
+    #[inline(always)]
+    fn contract<S: Simd>(
+        &self,
+        simd: S,
+        (affine, flux): (bool, bool),
+        spread: &Spread<T::Four<S>, D>,
+        axis: usize,
+        k: usize,
+    ) -> Spread<T::Four<S>, D> {
+        let weight = splat(simd, self.rows[axis].weight[k]);
+        let mut taken = *spread;
+        taken.value = spread.value * weight;
+        if affine {
+            let moment = splat(simd, self.moments[axis][k]);
+            taken.value += spread.affine[axis] * moment;
+        }
+        if flux {
+            let gradient = splat(simd, self.rows[axis].gradient[k]);
+            taken.value += spread.flux[axis] * gradient;
+        }
+        for later in axis + 1..D - 1 {
+            if affine {
+                taken.affine[later] = spread.affine[later] * weight;
+            }
+            if flux {
+                taken.flux[later] = spread.flux[later] * weight;
+            }
+        }
+        taken
+    }
+}
+
+/// The last axis: a stencil row of nodes with consecutive slots.
+struct Line<'a, T, F, const D: usize> {
+    site: &'a Site<'a, T, D>,
+    begin: usize,
+    along: [F; MAX_WIDTH],
+    sums: &'a mut [[T; 4]],
+}
+
+impl<T: Scalar, F, const D: usize> Line<'_, T, F, D> {
+    #[inline(always)]
+    fn add<S: Simd, H: ShapeFunction<T>>(
+        &mut self,
+        simd: S,
+        row: usize,
+        value: F,
+        weight: T,
+        with_along: bool,
+    ) where
+        T: Scalar<Four<S> = F>,
+        F: Copy + std::ops::AddAssign + std::ops::Mul<Output = F>,
+    {
+        let last = &self.site.rows[D - 1];
+        let start = self.site.starts[row] as usize + last.first - self.begin;
+        let nodes = &mut self.sums[start..start + H::WIDTH];
+        let outer = splat(simd, weight);
+        for k in 0..H::WIDTH {
+            let mut part = value * splat(simd, last.weight[k]);
+            if with_along {
+                part += self.along[k] * outer;
+            }
+            add_to(simd, &mut nodes[k], part);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! A step allocates nothing once its buffers have grown.
+
+mod common;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use common::parts::DT;
+use common::scenes::{Block, Build, SPACING};
+use rayon::ThreadPoolBuilder;
+use transpoint::scene::{Boundary, Scene};
+use transpoint::{Settings, Variant, variants::StressUpdate};
+
+/// Counts the allocations of each thread.
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+fn count() {
+    ALLOCATIONS.with(|count| count.set(count.get() + 1));
+}
+
+#[expect(unsafe_code, reason = "an allocator cannot be written without; it only counts")]
+// SAFETY: every call is passed on to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// A block that drifts through a periodic box without a force: cells empty and fill.
+fn scene<const D: usize>() -> Scene<D> {
+    let mut block = Block::<D>::full(8, Boundary::Periodic).random(5);
+    (block.fluid, block.jitter, block.speed) = ([[1.0, 4.5]; D], 0.3, 0.0);
+    block.compression = [0.0; 2];
+    let mut scene = block.scene();
+    for point in &mut scene.points {
+        for axis in 0..D {
+            point.velocity[axis] += 0.11 * SPACING[axis] / DT;
+        }
+    }
+    scene
+}
+
+/// Allocations in 40 steps after 80 steps of warm-up; the points must have been sorted meanwhile.
+fn allocations<const D: usize>(variant: Variant, settings: &Settings) -> u64
+where
+    Scene<D>: Build<D>,
+{
+    let mut simulation = scene::<D>().build(variant, settings);
+    for _ in 0..80 {
+        simulation.step(0.5 * DT).unwrap();
+    }
+    let n_sorts = simulation.counters().n_sorts;
+    let before = ALLOCATIONS.get();
+    for _ in 0..40 {
+        simulation.step(0.5 * DT).unwrap();
+    }
+    let allocations = ALLOCATIONS.get() - before;
+    assert!(simulation.counters().n_sorts > n_sorts + 10, "{}: nothing moves", variant.name());
+    allocations
+}
+
+fn check<const D: usize>()
+where
+    Scene<D>: Build<D>,
+{
+    let orders = [StressUpdate::First, StressUpdate::Last, StressUpdate::ModifiedLast];
+    let found = ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| {
+        let mut found = Vec::new();
+        for (variant, stress_update) in
+            Variant::ALL.into_iter().flat_map(|variant| orders.map(|order| (variant, order)))
+        {
+            let settings = Settings { stress_update, ..Settings::default() };
+            found.push((variant.name(), stress_update, allocations::<D>(variant, &settings)));
+        }
+        found
+    });
+    for (name, stress_update, allocations) in found {
+        assert_eq!(allocations, 0, "{name}, {stress_update:?}");
+    }
+}
+
+#[test]
+fn the_counter_counts() {
+    let before = ALLOCATIONS.get();
+    let kept = std::hint::black_box(vec![1_u8; 10]);
+    assert_eq!((ALLOCATIONS.get() - before, kept.len()), (1, 10));
+}
+
+#[test]
+fn steps_of_every_variant_allocate_nothing_in_2d() {
+    check::<2>();
+}
+
+#[test]
+fn steps_of_every_variant_allocate_nothing_in_3d() {
+    check::<3>();
+}

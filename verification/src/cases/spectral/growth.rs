@@ -1,0 +1,95 @@
+//! Growth per step of one method at all Courant numbers.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use nalgebra::DVector;
+use transpoint::Variant;
+
+use super::step::{Build, Step, scene};
+use super::{DEFECTIVE, LINEAR, NEUTRAL, Parameters, SEED};
+use crate::case::{Findings, Outcome, Row};
+use crate::measure::spectral::{Spectrum, jacobian, spectrum};
+use crate::number::decade_above;
+use crate::progress::Progress;
+
+/// What is measured at each Courant number: ρ(A) − 1, and log₂ ‖A^(2N)‖/‖Aᴺ‖ at N = 2¹⁶.
+const MEASURES: [&str; 2] = ["growth", "doubling"];
+
+/// Name of a measured number.
+pub(super) fn quantity(measure: &str, courant: f64) -> String {
+    format!("{measure}@{courant}")
+}
+
+/// The rows of a run that has no values.
+pub(super) fn missing_rows(parameters: &Parameters) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for &courant in &parameters.courants {
+        rows.extend(MEASURES.map(|name| Row::missing(quantity(name, courant), "max")));
+    }
+    rows.push(Row::missing("translation", "max"));
+    rows
+}
+
+/// Growth of all layouts at all Courant numbers; the largest over the layouts is reported.
+pub(super) fn measure<const D: usize>(
+    variant: Variant,
+    parameters: &Parameters,
+    build: Build<D>,
+    progress: &Progress,
+) -> Result<Findings, String> {
+    let start = Instant::now();
+    let total = parameters.courants.len() as u64 * parameters.seeds;
+    let mut rows = Vec::new();
+    let mut translation = 0.0_f64;
+    for (c, &courant) in parameters.courants.iter().enumerate() {
+        let (mut growth, mut doubling) = (0.0_f64, 0.0_f64);
+        for seed in 0..parameters.seeds {
+            let step = Step {
+                variant,
+                settings: &parameters.settings,
+                build,
+                scene: scene::<D>(parameters.cells, parameters.jitter, SEED + seed),
+                dt: courant / (D as f64).sqrt(),
+            };
+            let (found, drift) = of_one_step(step)?;
+            growth = growth.max(found.growth());
+            doubling = doubling.max(found.doubling);
+            translation = translation.max(drift);
+            progress.advance(c as u64 * parameters.seeds + seed + 1, total);
+        }
+        let growth = reported(growth, doubling);
+        for (name, value) in MEASURES.into_iter().zip([growth, (100.0 * doubling).round() / 100.0])
+        {
+            let (quantity, norm) = (quantity(name, courant), "max".to_owned());
+            rows.push(Row { quantity, norm, value, scale: 1.0 });
+        }
+    }
+    let value = decade_above(translation);
+    rows.push(Row {
+        quantity: "translation".to_owned(),
+        norm: "max".to_owned(),
+        value,
+        scale: 1.0,
+    });
+    let counters = BTreeMap::from([("n_matrices".to_owned(), total)]);
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(Findings { outcome: Outcome::Completed, rows, counters, seconds })
+}
+
+/// What is round-off, or the root of round-off in a defective eigenvalue, is reported by its
+/// decade, as it depends on the machine.
+fn reported(growth: f64, doubling: f64) -> f64 {
+    let defective = growth < DEFECTIVE && doubling < 3.0 * LINEAR;
+    if growth <= NEUTRAL || defective { decade_above(growth.max(1e-15)) } else { growth }
+}
+
+/// The spectrum of one step, and the largest change of a uniform velocity by it.
+fn of_one_step<const D: usize>(mut step: Step<'_, D>) -> Result<(Spectrum, f64), String> {
+    let base = step.base();
+    let width = step.width();
+    let matrix = jacobian(&base, |state| step.advance(state))?;
+    let uniform = DVector::from_fn(base.len(), |k, _| if k % width == 0 { 1.0 } else { 0.0 });
+    let drift = (&matrix * &uniform - &uniform).amax();
+    Ok((spectrum(&matrix), drift))
+}

@@ -1,0 +1,146 @@
+//! One step of the solver as a map of the points' state, at frozen positions.
+
+use rand_core::{Rng, SeedableRng};
+use rand_pcg::Pcg64;
+use transpoint::formulation::Formulation;
+use transpoint::method::Scheme;
+use transpoint::quadrature::Particle;
+use transpoint::reconstruction::Carried;
+use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
+use transpoint::shape::QuadraticBspline;
+use transpoint::stress::Inviscid;
+use transpoint::transfer::Apic;
+use transpoint::{InvalidInput, Scene, Settings, Simulation, Solver, Variant};
+
+/// Builds a simulation of a variant in a fixed dimension.
+pub(super) type Build<const D: usize> =
+    fn(Variant, &Scene<D>, &Settings) -> Result<Box<dyn Simulation<D>>, InvalidInput>;
+
+/// One step of a method on given points.
+pub(super) struct Step<'a, const D: usize> {
+    pub(super) variant: Variant,
+    pub(super) settings: &'a Settings,
+    pub(super) build: Build<D>,
+    pub(super) scene: Scene<D>,
+    pub(super) dt: f64,
+}
+
+impl<const D: usize> Step<'_, D> {
+    /// Numbers per point: velocity, density and, where there is one, the affine field.
+    pub(super) fn width(&self) -> usize {
+        if self.variant == Variant::Apic { D + 1 + D * D } else { D + 1 }
+    }
+
+    /// The state of the scene: rest at the reference density.
+    pub(super) fn base(&self) -> Vec<f64> {
+        let width = self.width();
+        let mut state = vec![0.0; width * self.scene.points.len()];
+        state.iter_mut().skip(D).step_by(width).for_each(|density| *density = 1.0);
+        state
+    }
+
+    /// The state after one step from `state` at the positions of the scene.
+    pub(super) fn advance(&mut self, state: &[f64]) -> Result<Vec<f64>, String> {
+        let width = self.width();
+        for (point, values) in self.scene.points.iter_mut().zip(state.chunks(width)) {
+            point.velocity.copy_from_slice(&values[..D]);
+            point.density = values[D];
+            for (row, values) in point.velocity_gradient.iter_mut().zip(values[D + 1..].chunks(D)) {
+                row.copy_from_slice(values);
+            }
+        }
+        if self.variant == Variant::Apic { self.affine_step() } else { self.plain_step() }
+    }
+
+    fn plain_step(&self) -> Result<Vec<f64>, String> {
+        let mut simulation = (self.build)(self.variant, &self.scene, self.settings)
+            .map_err(|error| error.to_string())?;
+        simulation.step(self.dt).map_err(|error| error.to_string())?;
+        let points = simulation.observe().points;
+        Ok(points.iter().flat_map(|p| p.velocity.into_iter().chain([p.density])).collect())
+    }
+
+    /// [`Variant::Apic`] with its types known, since an observation has no affine field.
+    fn affine_step(&self) -> Result<Vec<f64>, String> {
+        let scheme = Scheme {
+            shape: QuadraticBspline,
+            reconstruction: Carried,
+            quadrature: Particle,
+            transfer: Apic,
+            formulation: Formulation::Standard,
+            stress_update: self.settings.stress_update,
+        };
+        let mut solver = Solver::<f64, D, _, _>::new(&self.scene, scheme, Inviscid)
+            .map_err(|error| error.to_string())?;
+        solver.advance(self.dt).map_err(|error| error.to_string())?;
+        let points = &solver.particles;
+        let width = self.width();
+        let mut state = vec![0.0; width * points.len()];
+        for (k, &id) in points.id.iter().enumerate() {
+            let values = &mut state[id as usize * width..(id as usize + 1) * width];
+            values[..D].copy_from_slice(&points.velocity[k]);
+            values[D] = points.density[k];
+            for (out, row) in values[D + 1..].chunks_mut(D).zip(points.affine[k].0) {
+                out.copy_from_slice(&row);
+            }
+        }
+        Ok(state)
+    }
+}
+
+/// A periodic box of `cells` unit cells per axis with 2 points per cell and axis, each displaced
+/// by up to `jitter` point spacings along each axis; unit density and speed of sound.
+///
+/// Layouts with an empty cell are drawn again, so that every cell is full of fluid.
+pub(super) fn scene<const D: usize>(cells: usize, jitter: f64, seed: u64) -> Scene<D> {
+    let mut random = Pcg64::seed_from_u64(seed);
+    let positions = loop {
+        let positions = positions::<D>(cells, jitter, &mut random);
+        if fills_every_cell(cells, &positions) {
+            break positions;
+        }
+    };
+    let mass = std::iter::repeat_n(0.5, D).product();
+    let point = |position| PointSpec {
+        position,
+        velocity: [0.0; D],
+        density: 1.0,
+        mass,
+        velocity_gradient: [[0.0; D]; D],
+    };
+    Scene {
+        grid: GridSpec { origin: [0.0; D], spacing: [1.0; D], cells: [cells; D] },
+        boundaries: [[Boundary::Periodic; 2]; D],
+        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
+            reference_density: 1.0,
+            sound_speed: 1.0,
+        },
+        body_force: [0.0; D],
+        viscosity: None,
+        points: positions.into_iter().map(point).collect(),
+    }
+}
+
+fn positions<const D: usize>(cells: usize, jitter: f64, random: &mut Pcg64) -> Vec<[f64; D]> {
+    let per_axis = 2 * cells;
+    let mut displacement = || (random.next_u64() >> 11) as f64 * 2f64.powi(-52) - 1.0;
+    (0..per_axis.pow(D as u32))
+        .map(|flat| {
+            let mut rest = flat;
+            std::array::from_fn(|_| {
+                let index = (rest % per_axis) as f64;
+                rest /= per_axis;
+                (0.5 * (index + 0.5 + jitter * displacement())).rem_euclid(cells as f64)
+            })
+        })
+        .collect()
+}
+
+fn fills_every_cell<const D: usize>(cells: usize, positions: &[[f64; D]]) -> bool {
+    let mut filled = vec![false; cells.pow(D as u32)];
+    for position in positions {
+        let cell = position.iter().fold(0, |cell, &x| cell * cells + (x as usize).min(cells - 1));
+        filled[cell] = true;
+    }
+    filled.into_iter().all(|filled| filled)
+}
