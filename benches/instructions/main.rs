@@ -2,9 +2,9 @@
 //!
 //! `cargo bench --bench instructions -- [--require] [--update]`. Each workload runs twice on one thread,
 //! with k and with 2k steps; the difference leaves out the set-up. A count off its baseline by more than
-//! 2 % fails, in either direction: a gain is a new baseline. Baselines hold for one compiler and one
-//! instruction set; others are reported only. Without valgrind nothing is measured; `--require` makes
-//! that a failure.
+//! 2 % fails, in either direction: a gain is a new baseline. What is counted is the baseline instruction
+//! set, so that the counts do not depend on the processor; they hold for one compiler, and under others
+//! are reported only. Without valgrind nothing is measured; `--require` makes that a failure.
 
 #[path = "../generic.rs"]
 mod generic;

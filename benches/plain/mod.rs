@@ -17,11 +17,16 @@ macro_rules! scheme {
         impl<T: $crate::plain::Real> $name<T> {
             /// Starts from a scene.
             pub fn new(scene: &transpoint::Scene<$d>) -> Self {
+                Self::at_level(scene, fearless_simd::Level::new())
+            }
+
+            /// Starts from a scene, to be run with a given instruction set.
+            pub fn at_level(scene: &transpoint::Scene<$d>, level: fearless_simd::Level) -> Self {
                 let n_nodes = scene.grid.cells.iter().map(|n| n + $extra).product();
                 Self {
                     points: $crate::plain::Points::new(scene, $affine),
                     nodes: vec![<$node>::default(); n_nodes],
-                    level: fearless_simd::Level::new(),
+                    level,
                 }
             }
 

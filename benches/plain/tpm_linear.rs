@@ -23,12 +23,17 @@ pub struct Tpm2<T> {
 impl<T: Real> Tpm2<T> {
     /// Starts from a scene.
     pub fn new(scene: &Scene<2>) -> Self {
+        Self::at_level(scene, Level::new())
+    }
+
+    /// Starts from a scene, to be run with a given instruction set.
+    pub fn at_level(scene: &Scene<2>, level: Level) -> Self {
         let [nx, ny] = scene.grid.cells;
         Self {
             points: Points::new(scene, false),
             cells: vec![[T::zero(); 2]; nx * ny],
             nodes: vec![[T::zero(); 4]; (nx + 1) * (ny + 1)],
-            level: Level::new(),
+            level,
         }
     }
 
