@@ -43,6 +43,7 @@ pub mod variants;
 pub use error::{InvalidInput, StepError};
 pub use scalar::Scalar;
 pub use scene::Scene;
+pub use simd::limit_to_baseline;
 pub use simulation::{Observation, Simulation};
 pub use solver::Solver;
 pub use variants::{Settings, Variant};

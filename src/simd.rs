@@ -6,10 +6,27 @@
 pub use fearless_simd::prelude::*;
 pub use fearless_simd::{Level, Simd};
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static BASELINE_ONLY: AtomicBool = AtomicBool::new(false);
+
+/// Keeps the kernels of this process to the instruction set that every processor of its kind has.
+///
+/// Results stay the same bits. For tests of that, and for tools that count or check instructions and
+/// do not know all of the newer ones.
+pub fn limit_to_baseline(limited: bool) {
+    BASELINE_ONLY.store(limited, Ordering::Relaxed);
+}
+
+/// The instruction set that the kernels use.
+pub fn level() -> Level {
+    if BASELINE_ONLY.load(Ordering::Relaxed) { Level::baseline() } else { Level::new() }
+}
+
 /// Evaluates an expression with `$simd` bound to the best token of this machine.
 macro_rules! vectorized {
     ($simd:ident => $operation:expr) => {{
-        let level = $crate::simd::Level::new();
+        let level = $crate::simd::level();
         #[cfg(target_arch = "x86_64")]
         {
             use $crate::simd::Simd as _;
