@@ -59,7 +59,7 @@ impl Variant {
         match self {
             Self::Tpm => "tpm",
             Self::TpmVp => "tpm-vp",
-            Self::TpmVpQuadratic => "tpm-vp-quadratic",
+            Self::TpmVpQuadratic => "tpm-vp2",
             Self::Mpm => "mpm",
             Self::Gimp => "gimp",
             Self::Bspline2 => "bspline2",
