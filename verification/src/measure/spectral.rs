@@ -77,7 +77,8 @@ impl Spectrum {
 ///
 /// The value is an upper bound for every N, it falls as N doubles, and a large transient κ or a
 /// defective eigenvalue adds only ln(κ N)/N. Rounding in the squaring of Aᴺ changes the result by
-/// 1/N of a unit in the last place, so that the first squarings decide. Errors
+/// 1/N of a unit in the last place, so that the first squarings decide. Once ln ρ changes by less than
+/// 10⁻⁴ of itself the squaring ends early: a fast growth is known to that share only. Errors
 /// δ in the entries of A itself move a defective eigenvalue by √δ, which [`Spectrum::doubling`]
 /// tells apart.
 ///
