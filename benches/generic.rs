@@ -2,11 +2,11 @@
 
 use transpoint::basis;
 use transpoint::formulation::Formulation;
+use transpoint::material::{Deviatoric, Inviscid, Material};
 use transpoint::method::{Method, Scheme};
 use transpoint::quadrature::{Mixed, Particle};
 use transpoint::reconstruction::{Carried, MovingLeastSquares};
 use transpoint::shape::{Linear, QuadraticBspline};
-use transpoint::stress::{DeviatoricStress, Inviscid, Newtonian};
 use transpoint::transfer::{Apic, Flip};
 use transpoint::variants::{Blend, PointVolume, StressUpdate};
 use transpoint::{Scalar, Scene, Simulation, Solver};
@@ -14,7 +14,7 @@ use transpoint::{Scalar, Scene, Simulation, Solver};
 use crate::plain::{State, Stepper};
 
 /// A generic solver that steps as the plain kernels do.
-pub struct Generic<T: Scalar, const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>>(
+pub struct Generic<T: Scalar, const D: usize, M: Method<T, D>, K: Material<T, D>>(
     pub Solver<T, D, M, K>,
 );
 
@@ -33,8 +33,8 @@ pub fn apic<T: Scalar, const D: usize>(scene: &Scene<D>) -> Generic<T, D, ApicSc
 /// Quadratic B-splines, affine transfer, viscous fluid.
 pub fn viscous_apic<const D: usize>(
     scene: &Scene<D>,
-) -> Generic<f64, D, ApicScheme, Newtonian<f64>> {
-    let stress = Newtonian { viscosity: 1e-6 };
+) -> Generic<f64, D, ApicScheme, Deviatoric<f64>> {
+    let stress = Deviatoric::Newtonian { viscosity: 1e-6 };
     build(scene, scheme(QuadraticBspline, Carried, Particle, Apic), stress)
 }
 
@@ -68,7 +68,7 @@ fn scheme<S, R, Q, X>(
     }
 }
 
-fn build<T: Scalar, const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>>(
+fn build<T: Scalar, const D: usize, M: Method<T, D>, K: Material<T, D>>(
     scene: &Scene<D>,
     method: M,
     stress: K,
@@ -76,7 +76,7 @@ fn build<T: Scalar, const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>>(
     Generic(Solver::new(scene, method, stress).expect("the scenes of the benches are valid"))
 }
 
-impl<T: Scalar, const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>> Stepper<D>
+impl<T: Scalar, const D: usize, M: Method<T, D>, K: Material<T, D>> Stepper<D>
     for Generic<T, D, M, K>
 {
     fn step(&mut self, dt: f64) {

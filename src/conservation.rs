@@ -2,17 +2,23 @@
 
 use crate::Scalar;
 use crate::cells::ABSENT;
+use crate::material::Material;
 use crate::method::Method;
 use crate::shape::ShapeFunction;
 use crate::simulation::Conserved;
 use crate::solver::Solver;
-use crate::stress::DeviatoricStress;
 use crate::transfer::Transfer;
 
 impl<const D: usize> Conserved<D> {
     /// Nothing.
     pub fn zero() -> Self {
-        Self { mass: 0.0, momentum: [0.0; D], angular_momentum: [0.0; 3], kinetic_energy: 0.0 }
+        Self {
+            mass: 0.0,
+            momentum: [0.0; D],
+            angular_momentum: [0.0; 3],
+            kinetic_energy: 0.0,
+            internal_energy: 0.0,
+        }
     }
 
     /// Adds a body of mass `mass` at `position` with momentum `momentum`.
@@ -38,7 +44,7 @@ impl<T, const D: usize, M, K> Solver<T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     /// Totals over the points, from their (nominal) masses.
     ///
@@ -51,6 +57,7 @@ where
             let mass = p.mass[k].as_f64();
             let momentum = p.velocity[k].map(|v| mass * v.as_f64());
             totals.add(mass, p.position[k].map(Scalar::as_f64), momentum);
+            totals.internal_energy += mass * K::energy(&p.state[k]).as_f64();
             if <M::Transfer as Transfer<T, D>>::AFFINE {
                 self.add_affine(k, &mut totals);
             }

@@ -1,10 +1,18 @@
-//! Pressure as a function of density.
+//! Pressure as a function of density and, for gases, of internal energy.
 
 use crate::Scalar;
 use crate::error::InvalidInput;
 use crate::scene::EquationOfStateSpec;
 
-/// A barotropic pressure law.
+/// A pressure law; energies are specific internal energies in J/kg, which barotropic laws ignore.
+///
+/// ```
+/// use transpoint::equation_of_state::EquationOfState;
+/// use transpoint::scene::EquationOfStateSpec;
+/// let air = EquationOfState::<f64>::new(&EquationOfStateSpec::IdealGas { ratio: 1.4 })?;
+/// assert!((air.pressure(1.0, 2.5) - 1.0).abs() < 1e-15);
+/// # Ok::<(), transpoint::InvalidInput>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EquationOfState<T> {
     /// p = c₀² (ρ − ρ₀), Eq. (35) of \[Song2020\].
@@ -14,48 +22,131 @@ pub enum EquationOfState<T> {
         /// c₀², m²/s².
         sound_speed_squared: T,
     },
+    /// p = B ((ρ/ρ₀)^γ − 1) with B = ρ₀ c₀² / γ, \[Cole1948\].
+    Tait {
+        /// ρ₀, kg/m³.
+        reference_density: T,
+        /// B, Pa.
+        modulus: T,
+        /// γ.
+        exponent: T,
+    },
+    /// p = (γ − 1) ρ e − γ p∞, \[Harlow1971\]; an ideal gas with p∞ = 0.
+    StiffenedGas {
+        /// γ.
+        ratio: T,
+        /// p∞, Pa.
+        stiffness: T,
+    },
 }
 
 impl<T: Scalar> EquationOfState<T> {
     /// Checks and converts the law of a scene.
     ///
     /// # Errors
-    /// When a density or speed is not positive and finite.
+    /// When a parameter is out of range.
     pub fn new(spec: &EquationOfStateSpec) -> Result<Self, InvalidInput> {
         match *spec {
             EquationOfStateSpec::WeaklyCompressible { reference_density, sound_speed } => {
-                for (field, value, unit) in [
-                    ("equation_of_state.reference_density", reference_density, "kg/m³"),
-                    ("equation_of_state.sound_speed", sound_speed, "m/s"),
-                ] {
-                    if !(value.is_finite() && value > 0.0) {
-                        let allowed = format!("a positive number in {unit}");
-                        return Err(InvalidInput::new(field, value, allowed));
-                    }
-                }
+                check_liquid(reference_density, sound_speed)?;
                 Ok(Self::WeaklyCompressible {
                     reference_density: T::lit(reference_density),
                     sound_speed_squared: T::lit(sound_speed * sound_speed),
                 })
             }
-        }
-    }
-
-    /// Pressure at a density, Pa, compression positive.
-    #[inline(always)]
-    pub fn pressure(&self, density: T) -> T {
-        match *self {
-            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
-                sound_speed_squared * (density - reference_density)
+            EquationOfStateSpec::Tait { reference_density, sound_speed, exponent } => {
+                check_liquid(reference_density, sound_speed)?;
+                check("exponent", exponent, exponent >= 1.0, "a number from 1 on")?;
+                Ok(Self::Tait {
+                    reference_density: T::lit(reference_density),
+                    modulus: T::lit(reference_density * sound_speed * sound_speed / exponent),
+                    exponent: T::lit(exponent),
+                })
+            }
+            EquationOfStateSpec::StiffenedGas { ratio, stiffness } => {
+                check("ratio", ratio, ratio > 1.0, "a ratio of specific heats above 1")?;
+                check("stiffness", stiffness, stiffness >= 0.0, "zero or a positive number in Pa")?;
+                Ok(Self::StiffenedGas { ratio: T::lit(ratio), stiffness: T::lit(stiffness) })
+            }
+            EquationOfStateSpec::IdealGas { ratio } => {
+                Self::new(&EquationOfStateSpec::StiffenedGas { ratio, stiffness: 0.0 })
             }
         }
     }
 
-    /// Speed of sound √(dp/dρ) at a density, m/s.
+    /// Whether the pressure depends on the internal energy.
+    pub fn uses_energy(&self) -> bool {
+        matches!(self, Self::StiffenedGas { .. })
+    }
+
+    /// Pressure, Pa, compression positive.
     #[inline(always)]
-    pub fn sound_speed(&self, _density: T) -> T {
+    pub fn pressure(&self, density: T, energy: T) -> T {
         match *self {
-            Self::WeaklyCompressible { sound_speed_squared, .. } => sound_speed_squared.sqrt(),
+            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
+                sound_speed_squared * (density - reference_density)
+            }
+            _ => self.pressure_of_others(density, energy),
         }
     }
+
+    /// Kept out of the step's loops, which are made for the linear law.
+    #[inline(never)]
+    fn pressure_of_others(&self, density: T, energy: T) -> T {
+        match *self {
+            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
+                sound_speed_squared * (density - reference_density)
+            }
+            Self::Tait { reference_density, modulus, exponent } => {
+                modulus * ((density / reference_density).powf(exponent) - T::one())
+            }
+            Self::StiffenedGas { ratio, stiffness } => {
+                (ratio - T::one()) * density * energy - ratio * stiffness
+            }
+        }
+    }
+
+    /// Density at which a pressure (Pa) is found, kg/m³.
+    pub fn density(&self, pressure: T, energy: T) -> T {
+        match *self {
+            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
+                reference_density + pressure / sound_speed_squared
+            }
+            Self::Tait { reference_density, modulus, exponent } => {
+                reference_density * (pressure / modulus + T::one()).powf(T::one() / exponent)
+            }
+            Self::StiffenedGas { ratio, stiffness } => {
+                (pressure + ratio * stiffness) / ((ratio - T::one()) * energy)
+            }
+        }
+    }
+
+    /// Speed of sound, m/s; zero where the law has none.
+    #[inline]
+    pub fn sound_speed(&self, density: T, energy: T) -> T {
+        let squared = match *self {
+            Self::WeaklyCompressible { sound_speed_squared, .. } => sound_speed_squared,
+            Self::Tait { reference_density, modulus, exponent } => {
+                let compression = density / reference_density;
+                modulus * exponent / reference_density * compression.powf(exponent - T::one())
+            }
+            Self::StiffenedGas { ratio, stiffness } => {
+                ratio * (self.pressure(density, energy) + stiffness) / density
+            }
+        };
+        squared.max(T::zero()).sqrt()
+    }
+}
+
+fn check(field: &str, value: f64, holds: bool, allowed: &str) -> Result<(), InvalidInput> {
+    if value.is_finite() && holds {
+        return Ok(());
+    }
+    Err(InvalidInput::new(format!("equation_of_state.{field}"), value, allowed))
+}
+
+fn check_liquid(reference_density: f64, sound_speed: f64) -> Result<(), InvalidInput> {
+    let density_holds = reference_density > 0.0;
+    check("reference_density", reference_density, density_holds, "a positive number in kg/m³")?;
+    check("sound_speed", sound_speed, sound_speed > 0.0, "a positive number in m/s")
 }

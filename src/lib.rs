@@ -26,7 +26,7 @@ pub mod transfer;
 
 pub mod equation_of_state;
 pub mod formulation;
-pub mod stress;
+pub mod material;
 
 pub mod method;
 pub mod settings;

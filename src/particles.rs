@@ -7,7 +7,7 @@ use crate::parallel::{Split, for_each_block};
 /// Points per task when arrays are permuted or totals are formed.
 pub const POINT_GRAIN: usize = 4096;
 
-/// State of all points; `A` is the affine velocity field and `S` the stress, both `()` when absent.
+/// State of all points; `A` is the affine velocity field and `S` the state of the material, both `()` when absent.
 ///
 /// All arrays have the same length. An absent ingredient is an array of `()`, which takes no memory.
 #[derive(Clone, Debug)]
@@ -26,8 +26,8 @@ pub struct Particles<T, const D: usize, A, S> {
     pub mass: Vec<T>,
     /// Affine velocity field, 1/s.
     pub affine: Vec<A>,
-    /// Deviatoric Cauchy stress, Pa, tension positive.
-    pub stress: Vec<S>,
+    /// What the material carries besides density: stress, internal energy.
+    pub state: Vec<S>,
 }
 
 impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
@@ -40,7 +40,7 @@ impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
             density: Vec::new(),
             mass: Vec::new(),
             affine: Vec::new(),
-            stress: Vec::new(),
+            state: Vec::new(),
         }
     }
 }
@@ -56,7 +56,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         self.id.is_empty()
     }
 
-    /// Appends a point at rest relative to its affine field.
+    /// Appends a point at rest relative to its affine field, with an empty state of the material.
     pub fn push(&mut self, id: u32, position: [T; D], velocity: [T; D], density: T, mass: T) {
         self.id.push(id);
         self.cell.push(0);
@@ -65,7 +65,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         self.density.push(density);
         self.mass.push(mass);
         self.affine.push(A::default());
-        self.stress.push(S::default());
+        self.state.push(S::default());
     }
 
     /// Bytes that one point takes.
@@ -88,7 +88,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         permute(&mut self.density, &source.density, order);
         permute(&mut self.mass, &source.mass, order);
         permute(&mut self.affine, &source.affine, order);
-        permute(&mut self.stress, &source.stress, order);
+        permute(&mut self.state, &source.state, order);
     }
 
     /// A range of the points, every array cut to the same length.
@@ -100,7 +100,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
             density: &self.density[range.clone()],
             mass: &self.mass[range.clone()],
             affine: &self.affine[range.clone()],
-            stress: &self.stress[range],
+            state: &self.state[range],
         }
     }
 
@@ -112,7 +112,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
             velocity: &mut self.velocity,
             density: &mut self.density,
             affine: &mut self.affine,
-            stress: &mut self.stress,
+            state: &mut self.state,
             id: &self.id,
         }
     }
@@ -147,8 +147,8 @@ pub struct ParticlesRef<'a, T, const D: usize, A, S> {
     pub mass: &'a [T],
     /// Affine velocity field, 1/s.
     pub affine: &'a [A],
-    /// Deviatoric stress, Pa.
-    pub stress: &'a [S],
+    /// What the material carries besides density.
+    pub state: &'a [S],
 }
 
 /// The changing fields of consecutive points.
@@ -164,8 +164,8 @@ pub struct ParticlesMut<'a, T, const D: usize, A, S> {
     pub density: &'a mut [T],
     /// Affine velocity field, 1/s.
     pub affine: &'a mut [A],
-    /// Deviatoric stress, Pa.
-    pub stress: &'a mut [S],
+    /// What the material carries besides density.
+    pub state: &'a mut [S],
     /// Identifiers.
     pub id: &'a [u32],
 }
@@ -180,7 +180,7 @@ impl<T, const D: usize, A, S> ParticlesMut<'_, T, D, A, S> {
             velocity: &mut self.velocity[range.clone()],
             density: &mut self.density[range.clone()],
             affine: &mut self.affine[range.clone()],
-            stress: &mut self.stress[range.clone()],
+            state: &mut self.state[range.clone()],
             id: &self.id[range],
         }
     }
@@ -195,17 +195,17 @@ impl<T: Send + Sync, const D: usize, A: Send + Sync, S: Send + Sync> Split
         let (velocity, velocity_rest) = self.velocity.split_at_mut(mid);
         let (density, density_rest) = self.density.split_at_mut(mid);
         let (affine, affine_rest) = self.affine.split_at_mut(mid);
-        let (stress, stress_rest) = self.stress.split_at_mut(mid);
+        let (state, state_rest) = self.state.split_at_mut(mid);
         let (id, id_rest) = self.id.split_at(mid);
         (
-            Self { cell, position, velocity, density, affine, stress, id },
+            Self { cell, position, velocity, density, affine, state, id },
             Self {
                 cell: cell_rest,
                 position: position_rest,
                 velocity: velocity_rest,
                 density: density_rest,
                 affine: affine_rest,
-                stress: stress_rest,
+                state: state_rest,
                 id: id_rest,
             },
         )

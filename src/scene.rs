@@ -44,6 +44,27 @@ pub enum EquationOfStateSpec {
         /// c₀, m/s.
         sound_speed: f64,
     },
+    /// p = (ρ₀ c₀² / γ) ((ρ/ρ₀)^γ − 1), \[Cole1948\]; γ = 7 for water.
+    Tait {
+        /// ρ₀, kg/m³.
+        reference_density: f64,
+        /// c₀, m/s.
+        sound_speed: f64,
+        /// γ.
+        exponent: f64,
+    },
+    /// p = (γ − 1) ρ e − γ p∞, \[Harlow1971\]; needs the energy equation.
+    StiffenedGas {
+        /// γ.
+        ratio: f64,
+        /// p∞, Pa.
+        stiffness: f64,
+    },
+    /// p = (γ − 1) ρ e; needs the energy equation.
+    IdealGas {
+        /// γ.
+        ratio: f64,
+    },
 }
 
 /// One point: position m, velocity m/s, density kg/m³, (nominal) mass kg.
@@ -65,6 +86,22 @@ pub struct PointSpec<const D: usize> {
     /// Velocity gradient `[i][j] = ∂v_i/∂x_j`, 1/s: the start of affine fields; others ignore it.
     #[serde(default = "zero_gradient", with = "axes2", skip_serializing_if = "is_zero")]
     pub velocity_gradient: [[f64; D]; D],
+    /// Specific internal energy e, J/kg, for scenes with the energy equation.
+    #[serde(default, skip_serializing_if = "is_zero_energy")]
+    pub energy: f64,
+}
+
+impl<const D: usize> PointSpec<D> {
+    /// A point without a velocity gradient and without internal energy.
+    pub fn new(position: [f64; D], velocity: [f64; D], density: f64, mass: f64) -> Self {
+        let velocity_gradient = zero_gradient();
+        Self { position, velocity, density, mass, velocity_gradient, energy: 0.0 }
+    }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde's signature")]
+fn is_zero_energy(energy: &f64) -> bool {
+    *energy == 0.0
 }
 
 fn zero_gradient<const D: usize>() -> [[f64; D]; D] {
@@ -92,8 +129,39 @@ pub struct Scene<const D: usize> {
     /// Kinematic viscosity ν, m²/s; absent: inviscid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<f64>,
+    /// Shear modulus G of a linear elastic solid, Pa, in place of a viscosity; absent: a fluid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<f64>,
+    /// Whether the energy equation is solved, Eq. (34) of \[Song2020\].
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub energy: bool,
+    /// Pressure below which a point's density is raised to that of this pressure, Pa; absent: no limit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub minimum_pressure: Option<f64>,
     /// The points.
     pub points: Vec<PointSpec<D>>,
+}
+
+impl<const D: usize> Scene<D> {
+    /// A scene of a barotropic inviscid fluid without body force.
+    pub fn new(
+        grid: GridSpec<D>,
+        boundaries: [[Boundary; 2]; D],
+        equation_of_state: EquationOfStateSpec,
+        points: Vec<PointSpec<D>>,
+    ) -> Self {
+        Self {
+            grid,
+            boundaries,
+            equation_of_state,
+            body_force: [0.0; D],
+            viscosity: None,
+            shear_modulus: None,
+            energy: false,
+            minimum_pressure: None,
+            points,
+        }
+    }
 }
 
 /// Fixed-length arrays in scene files, checked for their length.

@@ -1,6 +1,7 @@
 //! Checks of a scene's points before a run.
 
 use crate::Scalar;
+use crate::equation_of_state::EquationOfState;
 use crate::error::InvalidInput;
 use crate::grid::Grid;
 use crate::scene::Scene;
@@ -29,6 +30,9 @@ pub fn check_points<T: Scalar, const D: usize>(
                 return Err(InvalidInput::new(field(name), value, "a positive number"));
             }
         }
+        if !point.energy.is_finite() {
+            return Err(InvalidInput::new(field("energy"), point.energy, "finite, in J/kg"));
+        }
         if point.velocity.iter().any(|v| !v.is_finite()) {
             let value = format!("{:?}", point.velocity);
             return Err(InvalidInput::new(field("velocity"), value, "finite, in m/s"));
@@ -41,6 +45,55 @@ pub fn check_points<T: Scalar, const D: usize>(
             let value = format!("{:?}", point.position);
             return Err(InvalidInput::new(field("position"), value, "inside the grid's box, in m"));
         }
+    }
+    Ok(())
+}
+
+/// The density of the scene's minimum pressure, kg/m³; zero without one.
+///
+/// # Errors
+/// When the minimum is not finite, no density belongs to it, or it would depend on the energy.
+pub fn minimum_density<T: Scalar, const D: usize>(
+    scene: &Scene<D>,
+    law: &EquationOfState<T>,
+) -> Result<T, InvalidInput> {
+    let Some(pressure) = scene.minimum_pressure else {
+        return Ok(T::zero());
+    };
+    if law.uses_energy() {
+        let allowed = "absent where the pressure depends on the internal energy";
+        return Err(InvalidInput::new("minimum_pressure", pressure, allowed));
+    }
+    let density = law.density(T::lit(pressure), T::zero());
+    if density.is_finite() && density > T::zero() {
+        Ok(density)
+    } else {
+        let allowed = "a pressure in Pa at which the fluid has a positive density";
+        Err(InvalidInput::new("minimum_pressure", pressure, allowed))
+    }
+}
+
+/// The laws of the material that a scene lists agree with each other.
+///
+/// # Errors
+/// Names the first ingredient that is out of range or does not go with the others.
+pub fn check_material<const D: usize>(scene: &Scene<D>) -> Result<(), InvalidInput> {
+    let positive = |field: &str, value: Option<f64>, allowed: &str| match value {
+        Some(value) if !(value.is_finite() && value > 0.0) => {
+            Err(InvalidInput::new(field, value, allowed))
+        }
+        _ => Ok(()),
+    };
+    let absent = "or absent for an inviscid fluid";
+    positive("viscosity", scene.viscosity, &format!("a positive number in m²/s, {absent}"))?;
+    positive("shear_modulus", scene.shear_modulus, &format!("a positive number in Pa, {absent}"))?;
+    if let (Some(_), Some(modulus)) = (scene.viscosity, scene.shear_modulus) {
+        let allowed = "absent where there is a viscosity: a material is a fluid or a solid";
+        return Err(InvalidInput::new("shear_modulus", modulus, allowed));
+    }
+    if EquationOfState::<f64>::new(&scene.equation_of_state)?.uses_energy() && !scene.energy {
+        let allowed = "true: the pressure law depends on the internal energy";
+        return Err(InvalidInput::new("energy", false, allowed));
     }
     Ok(())
 }

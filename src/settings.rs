@@ -23,6 +23,14 @@ pub struct Settings {
     pub point_volume: PointVolume,
     /// Divergence at the points of `tpm-vp`.
     pub point_divergence: PointDivergence,
+    /// Limiter of the pressure's slope within cells (velocity-pressure formulation); absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_limiter: Option<PressureLimiter>,
+    /// Bulk viscosity; absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bulk_viscosity: Option<BulkViscosity>,
+    /// How the internal energy is updated, where the scene has one.
+    pub energy_update: EnergyUpdate,
 }
 
 impl Default for Settings {
@@ -35,6 +43,9 @@ impl Default for Settings {
             gimp_length: 0.5,
             point_volume: PointVolume::Sphere,
             point_divergence: PointDivergence::VertexMean,
+            pressure_limiter: None,
+            bulk_viscosity: None,
+            energy_update: EnergyUpdate::Strain,
         }
     }
 }
@@ -55,6 +66,7 @@ impl Settings {
         };
         let theta = self.positivity.unwrap_or(0.0);
         let length = self.gimp_length;
+        let BulkViscosity { linear, quadratic, .. } = self.bulk_viscosity.unwrap_or_default();
         let checks = [
             ("blend", blend, blend_allowed, blend_holds),
             (
@@ -65,9 +77,11 @@ impl Settings {
             ),
             ("positivity", theta, "0 ≤ θ < 1", (0.0..1.0).contains(&theta)),
             ("gimp_length", length, "0 < length ≤ 1 cell", length > 0.0 && length <= 1.0),
+            ("bulk_viscosity.linear", linear, "a number from 0 on", linear >= 0.0),
+            ("bulk_viscosity.quadratic", quadratic, "a number from 0 on", quadratic >= 0.0),
         ];
         for (field, value, allowed, holds) in checks {
-            if !holds {
+            if !(holds && value.is_finite()) {
                 return Err(InvalidInput::new(format!("settings.{field}"), value, allowed));
             }
         }
@@ -96,6 +110,42 @@ pub enum Blend {
     /// α = max(0, 1 − Δt/τ) with a relaxation time τ in s, so that the damping per second does not depend on
     /// the step.
     RelaxationTime(f64),
+}
+
+/// Bulk viscosity q = −ρ h D (C₁ c + C₂ h |D|) of compression, \[VonNeumann1950\], \[Landshoff1955\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BulkViscosity {
+    /// C₁.
+    pub linear: f64,
+    /// C₂.
+    pub quadratic: f64,
+    /// Whether the linear term acts in expansion too: a rarefaction of a stiff fluid is as steep as a
+    /// shock and rings as much.
+    #[serde(default)]
+    pub expansion: bool,
+}
+
+/// How a point's internal energy changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EnergyUpdate {
+    /// By the strain of the step, Eq. (34) of \[Song2020\].
+    Strain,
+    /// By the work that the nodes do on the point and the kinetic energy lost in the transfer, which
+    /// keeps the total energy to round-off; FLIP and its blends, carried values, updated last.
+    Work,
+}
+
+/// Limiter of the pressure's slope in a cell, which replaces the pressures of the cell's points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PressureLimiter {
+    /// Least-squares slope over the face neighbours, scaled so that no point leaves the range of the
+    /// cell means of the cell and its face neighbours, \[BarthJespersen1989\].
+    BarthJespersen,
+    /// Monotonized central slope along each axis, \[VanLeer1977\].
+    PerAxis,
 }
 
 /// Volume given to a point of a boundary cell.

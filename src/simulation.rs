@@ -3,10 +3,10 @@
 use crate::Scalar;
 use crate::cells::ABSENT;
 use crate::error::StepError;
+use crate::material::Material;
 use crate::method::Method;
 use crate::solver::Solver;
 use crate::step::ParticlesOf;
-use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
 /// State of one point as reported to the outside, in `f64`.
@@ -20,10 +20,14 @@ pub struct PointState<const D: usize> {
     pub velocity: [f64; D],
     /// Density, kg/m³.
     pub density: f64,
-    /// Pressure, Pa.
+    /// Pressure of the law, without viscous pressure, Pa.
     pub pressure: f64,
     /// (Nominal) mass, kg.
     pub mass: f64,
+    /// Specific internal energy, J/kg; zero where the scene has none.
+    pub energy: f64,
+    /// Deviatoric stress, tension positive, Pa.
+    pub stress: [[f64; D]; D],
 }
 
 impl<const D: usize> PointState<D> {
@@ -53,6 +57,8 @@ pub struct Conserved<const D: usize> {
     pub angular_momentum: [f64; 3],
     /// Σ ½ m v², J.
     pub kinetic_energy: f64,
+    /// Σ m e, J, where the scene has an energy equation.
+    pub internal_energy: f64,
 }
 
 /// The largest time step and the limit that sets it.
@@ -99,7 +105,7 @@ impl<T, const D: usize, M, K> Simulation<D> for Solver<T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     fn step(&mut self, dt: f64) -> Result<(), StepError> {
         self.advance(T::lit(dt))
@@ -126,8 +132,14 @@ where
                 position: p.position[k].map(Scalar::as_f64),
                 velocity: p.velocity[k].map(Scalar::as_f64),
                 density: p.density[k].as_f64(),
-                pressure: self.physics.equation_of_state.pressure(p.density[k]).as_f64(),
+                pressure: self
+                    .physics
+                    .equation_of_state
+                    .pressure(p.density[k], K::energy(&p.state[k]))
+                    .as_f64(),
                 mass: p.mass[k].as_f64(),
+                energy: K::energy(&p.state[k]).as_f64(),
+                stress: K::stress(&p.state[k]).map(|row| row.map(Scalar::as_f64)),
             })
             .collect();
         points.sort_unstable_by_key(|point| point.id);

@@ -6,19 +6,21 @@ use crate::equation_of_state::EquationOfState;
 use crate::error::{InvalidInput, StepError};
 use crate::formulation::Formulation;
 use crate::grid::Grid;
+use crate::material::Material;
 use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::particles::Particles;
 use crate::quadrature::{Quadrature, classify};
 use crate::scene::Scene;
-use crate::scene_check::check_points;
+use crate::scene_check::{check_material, check_points, minimum_density};
+use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::step::{
-    AffineOf, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics, ScatterParts,
-    StateSource, StressOf, View, constrain, divergence, fuses_impulse, grid_to_particles,
-    node_velocity, particles_to_grid, rebuild_centers, update_grid,
+    AffineOf, CellMean, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics,
+    ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
+    grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
+    rebuild_centers, update_grid,
 };
-use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
 use crate::variants::StressUpdate;
@@ -29,7 +31,7 @@ pub struct Solver<T, const D: usize, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     /// The recipe.
     pub method: M,
@@ -44,12 +46,15 @@ where
     /// Nodes that the points touch.
     pub nodes: Nodes<T>,
     /// Fields of the active cells, where the method uses them.
-    pub centers: Vec<Center<T, StressOf<T, D, K>>>,
+    pub centers: Vec<Center<T, StateOf<T, D, K>>>,
     /// Work and events since the start.
     pub counters: Counters,
     /// Time, s.
     pub time: f64,
-    spare: Particles<T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+    /// Limiter of the pressure's slope in a cell; `None`: off.
+    pub pressure_limiter: Option<PressureLimiter>,
+    means: Vec<CellMean<T, D>>,
+    spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
     divergence: Vec<T>,
     strain_is_rebuilt: bool,
 }
@@ -58,13 +63,13 @@ impl<T, const D: usize, M, K> Solver<T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     /// Sets up a method on a scene.
     ///
     /// # Errors
     /// When the grid, the boundaries, the pressure law or a point is out of range.
-    pub fn new(scene: &Scene<D>, method: M, stress: K) -> Result<Self, InvalidInput> {
+    pub fn new(scene: &Scene<D>, method: M, material: K) -> Result<Self, InvalidInput> {
         let grid = Grid::new(&scene.grid, &scene.boundaries, M::Shape::EXTRA)?;
         let equation_of_state = EquationOfState::new(&scene.equation_of_state)?;
         let mut particles = ParticlesOf::<T, D, M, K>::default();
@@ -82,10 +87,13 @@ where
             particles.cell[id] = grid.cell_of(position).unwrap_or(ABSENT);
             let gradient = point.velocity_gradient.map(|row| row.map(T::lit));
             particles.affine[id] = <M::Transfer as Transfer<T, D>>::affine_of(gradient);
+            particles.state[id] = material.initial(T::lit(point.energy));
         }
+        check_material(scene)?;
         let physics = Physics {
             equation_of_state,
-            stress,
+            material,
+            minimum_density: minimum_density(scene, &equation_of_state)?,
             body_force: scene.body_force.map(T::lit),
             boundaries: scene.boundaries,
         };
@@ -99,6 +107,8 @@ where
             centers: Vec::new(),
             counters: Counters::default(),
             time: 0.0,
+            pressure_limiter: None,
+            means: Vec::new(),
             spare: Particles::default(),
             divergence: Vec::new(),
             strain_is_rebuilt: false,
@@ -114,6 +124,7 @@ where
     pub fn advance(&mut self, dt: T) -> Result<(), StepError> {
         self.bin_particles();
         self.count_work();
+        self.limit_pressure();
         match self.method.stress_update() {
             StressUpdate::First => {
                 self.strain_from_points();
@@ -173,6 +184,14 @@ where
         self.counters.n_node_updates += self.nodes.len() as u64;
     }
 
+    /// Limits the slope of the pressure in every cell, where a limiter is set.
+    pub fn limit_pressure(&mut self) {
+        let Some(limiter) = self.pressure_limiter else { return };
+        let Self { physics, grid, cells, particles, means, .. } = self;
+        self.counters.n_pressure_limited +=
+            limit_pressure::<T, D, M, K>(limiter, physics, (grid, cells), means, particles);
+    }
+
     fn uses_cells(&self) -> bool {
         matches!(self.method.formulation(), Formulation::VelocityPressure(_))
     }
@@ -205,6 +224,9 @@ where
         constrain(walls, &physics.boundaries, velocity, None);
         update_grid(dt, physics.body_force, forces, (velocity, increment));
         constrain(walls, &physics.boundaries, velocity, Some(increment));
+        if physics.material.wants_work() {
+            increment_energy::<T, D>(increment);
+        }
     }
 
     /// The state update takes its strain from the velocity at the end of the step (USL).
@@ -253,6 +275,7 @@ where
         let state = GridState { method, physics, grid, cells, rows, velocity, increment, source };
         let outcome = grid_to_particles(&state, pass, dt, particles.view());
         self.counters.n_points_removed += outcome.n_removed;
+        self.counters.n_pressure_cutoffs += outcome.n_raised;
         outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
     }
 

@@ -1,17 +1,17 @@
 //! The time step that a running simulation may take.
 
 use crate::Scalar;
+use crate::material::Material;
 use crate::method::Method;
 use crate::simulation::StableTimeStep;
 use crate::solver::Solver;
-use crate::stress::DeviatoricStress;
 use crate::time_step;
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     /// The smallest limit of [`time_step`] times `courant`, with its name.
     ///
@@ -19,16 +19,21 @@ where
     /// Courant number; a limit without a cause (no viscosity, no force) is infinite.
     pub fn stable_time_step(&self, courant: f64) -> StableTimeStep {
         let spacing = self.grid.spacing;
-        let (mut sound, mut speed) = (T::zero(), T::zero());
-        for (&density, v) in self.particles.density.iter().zip(&self.particles.velocity) {
-            sound = sound.max(self.physics.equation_of_state.sound_speed(density));
+        let physics = &self.physics;
+        let (mut sound, mut longitudinal, mut speed) = (T::zero(), T::zero(), T::zero());
+        let p = &self.particles;
+        for ((&density, v), state) in p.density.iter().zip(&p.velocity).zip(&p.state) {
+            let c = physics.equation_of_state.sound_speed(density, K::energy(state));
+            let shear = T::lit(4.0 / 3.0) * physics.material.shear_modulus() / density;
+            sound = sound.max(c);
+            longitudinal = longitudinal.max((c * c + shear).sqrt());
             speed = speed.max(crate::math::dot(*v, *v));
         }
         let limits = [
-            ("acoustic", time_step::acoustic_cell(spacing, sound)),
+            ("acoustic", time_step::acoustic_cell(spacing, longitudinal)),
             ("advective", time_step::advective(spacing, speed.sqrt())),
-            ("viscous", time_step::viscous(spacing, self.physics.stress.viscosity())),
-            ("body-force", time_step::body_force(spacing, self.physics.body_force)),
+            ("viscous", time_step::viscous(spacing, physics.material.viscosity(sound))),
+            ("body-force", time_step::body_force(spacing, physics.body_force)),
         ];
         let (limit, dt) = limits.into_iter().fold(("none", f64::INFINITY), |least, (name, dt)| {
             let dt = dt.as_f64();

@@ -21,6 +21,10 @@ pub struct Counters {
     pub n_positivity_limited: u64,
     /// Steps in which the points were sorted again.
     pub n_sorts: u64,
+    /// Cells whose pressure slope was reduced by the limiter.
+    pub n_pressure_limited: u64,
+    /// Points raised to the density of the minimum pressure.
+    pub n_pressure_cutoffs: u64,
     /// Points removed through a free face.
     pub n_points_removed: u64,
 }
@@ -39,12 +43,14 @@ impl Counters {
             n_singular_fallbacks: self.n_singular_fallbacks + other.n_singular_fallbacks,
             n_positivity_limited: self.n_positivity_limited + other.n_positivity_limited,
             n_sorts: self.n_sorts + other.n_sorts,
+            n_pressure_limited: self.n_pressure_limited + other.n_pressure_limited,
+            n_pressure_cutoffs: self.n_pressure_cutoffs + other.n_pressure_cutoffs,
             n_points_removed: self.n_points_removed + other.n_points_removed,
         }
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 10] {
+    pub fn entries(&self) -> [(&'static str, u64); 12] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -55,6 +61,8 @@ impl Counters {
             ("n_singular_fallbacks", self.n_singular_fallbacks),
             ("n_positivity_limited", self.n_positivity_limited),
             ("n_sorts", self.n_sorts),
+            ("n_pressure_limited", self.n_pressure_limited),
+            ("n_pressure_cutoffs", self.n_pressure_cutoffs),
             ("n_points_removed", self.n_points_removed),
         ]
     }

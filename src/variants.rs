@@ -5,16 +5,18 @@ use serde::{Deserialize, Serialize};
 use crate::basis::{self, PolynomialBasis};
 use crate::error::InvalidInput;
 use crate::formulation::{Formulation, PointDivergence};
+use crate::material::{Deviatoric, General, Inviscid, Material};
 use crate::method::{Method, Scheme};
-use crate::quadrature::{Mixed, Particle};
+use crate::quadrature::{Mixed, Particle, Quadrature};
 use crate::reconstruction::{Carried, MovingLeastSquares};
 use crate::scene::Scene;
-pub use crate::settings::{Blend, PointVolume, Settings, StressUpdate};
+pub use crate::settings::{
+    Blend, BulkViscosity, EnergyUpdate, PointVolume, PressureLimiter, Settings, StressUpdate,
+};
 use crate::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
 use crate::simulation::Simulation;
 use crate::solver::Solver;
-use crate::stress::{Inviscid, Newtonian};
-use crate::transfer::{Apic, Flip};
+use crate::transfer::{Apic, Flip, Transfer};
 
 /// A named method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -190,15 +192,54 @@ where
     }
 
     fn build(&self, method: impl Method<f64, D>) -> Built<D> {
-        Ok(match self.scene.viscosity {
-            None => Box::new(Solver::new(self.scene, method, Inviscid)?),
-            Some(viscosity) if viscosity.is_finite() && viscosity > 0.0 => {
-                Box::new(Solver::new(self.scene, method, Newtonian { viscosity })?)
-            }
-            Some(viscosity) => {
-                let allowed = "a positive number in m²/s, or absent for an inviscid fluid";
-                return Err(InvalidInput::new("viscosity", viscosity, allowed));
-            }
-        })
+        self.check_combination(&method)?;
+        let Scene { viscosity, shear_modulus, energy, .. } = *self.scene;
+        let deviatoric = match (viscosity, shear_modulus) {
+            (Some(viscosity), _) => Some(Deviatoric::Newtonian { viscosity }),
+            (None, Some(shear_modulus)) => Some(Deviatoric::Elastic { shear_modulus }),
+            (None, None) => None,
+        };
+        let bulk_viscosity = self.settings.bulk_viscosity;
+        if energy || bulk_viscosity.is_some() {
+            let volume: f64 = self.scene.grid.spacing.iter().product();
+            return self.solve(
+                method,
+                General {
+                    deviatoric,
+                    energy: energy.then_some(self.settings.energy_update),
+                    bulk_viscosity,
+                    cell_size: volume.powf(1.0 / D as f64),
+                },
+            );
+        }
+        match deviatoric {
+            None => self.solve(method, Inviscid),
+            Some(law) => self.solve(method, law),
+        }
+    }
+
+    fn solve(&self, method: impl Method<f64, D>, material: impl Material<f64, D>) -> Built<D> {
+        let mut solver = Solver::new(self.scene, method, material)?;
+        solver.pressure_limiter = self.settings.pressure_limiter;
+        Ok(Box::new(solver))
+    }
+
+    /// Refuses settings that the method cannot honour.
+    fn check_combination<M: Method<f64, D>>(&self, method: &M) -> Result<(), InvalidInput> {
+        let by_cell = matches!(method.formulation(), Formulation::VelocityPressure(_));
+        if self.settings.pressure_limiter.is_some() && !by_cell {
+            let allowed = "absent, or a variant with the velocity-pressure formulation";
+            return Err(InvalidInput::new("settings.pressure_limiter", "a limiter", allowed));
+        }
+        let keeps_energy = !by_cell
+            && <M::Transfer as Transfer<f64, D>>::USES_INCREMENT
+            && !<M::Quadrature as Quadrature<f64, D>>::USES_CENTERS
+            && method.stress_update() == StressUpdate::Last;
+        if self.scene.energy && self.settings.energy_update == EnergyUpdate::Work && !keeps_energy {
+            let allowed = "`strain`; `work` needs FLIP, carried values, the standard formulation \
+                           and the stress updated last";
+            return Err(InvalidInput::new("settings.energy_update", "`work`", allowed));
+        }
+        Ok(())
     }
 }

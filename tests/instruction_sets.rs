@@ -18,19 +18,14 @@ fn scene<const D: usize>() -> Scene<D> {
         let velocity = std::array::from_fn(|axis| 0.1 * (0.3 * k as f64 + axis as f64).sin());
         let density = 1000.0 + (0.7 * k as f64).cos();
         let mass = density * 0.05_f64.powi(i32::try_from(D).expect("a small dimension"));
-        PointSpec { position, velocity, density, mass, velocity_gradient: [[0.0; D]; D] }
+        PointSpec::new(position, velocity, density, mass)
     });
-    Scene {
-        grid: GridSpec { origin: [0.0; D], spacing: [0.1; D], cells },
-        boundaries: [[Boundary::Slip; 2]; D],
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
-            reference_density: 1000.0,
-            sound_speed: 50.0,
-        },
-        body_force: [0.0; D],
-        viscosity: None,
-        points: points.collect(),
-    }
+    Scene::new(
+        GridSpec { origin: [0.0; D], spacing: [0.1; D], cells },
+        [[Boundary::Slip; 2]; D],
+        EquationOfStateSpec::WeaklyCompressible { reference_density: 1000.0, sound_speed: 50.0 },
+        points.collect(),
+    )
 }
 
 /// All variants in one test, for the limit holds for the whole process.

@@ -10,12 +10,12 @@ use common::{Check, all, near};
 use proptest::prelude::*;
 use transpoint::Solver;
 use transpoint::formulation::{Formulation, PointDivergence};
+use transpoint::material::Deviatoric;
 use transpoint::method::{Method, Scheme};
 use transpoint::quadrature::{Gauss, Mixed, Particle};
 use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, Scene};
 use transpoint::shape::{CubicBspline, Linear, QuadraticBspline};
-use transpoint::stress::Newtonian;
 use transpoint::variants::PointVolume;
 
 const VP: Formulation = Formulation::VelocityPressure(PointDivergence::Linear);
@@ -73,7 +73,7 @@ proptest! {
 fn viscous_forces_sum_to_zero() {
     let scene = Block { compression: [0.0; 2], ..block::<2>((3, true)) }.scene();
     let method = scheme(QuadraticBspline, Carried, Particle, FLIP);
-    let mut solver = Solver::new(&scene, method, Newtonian { viscosity: 0.1 }).unwrap();
+    let mut solver = Solver::new(&scene, method, Deviatoric::Newtonian { viscosity: 0.1 }).unwrap();
     solver.advance(DT).unwrap();
     internal_forces_cancel(&mut solver, 16.0).unwrap();
 }

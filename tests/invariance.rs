@@ -181,7 +181,10 @@ where
             point.velocity_gradient = original.velocity_gradient.map(|row| row.map(|g| g / time));
         }
         let EquationOfStateSpec::WeaklyCompressible { reference_density, sound_speed } =
-            &mut image.equation_of_state;
+            &mut image.equation_of_state
+        else {
+            panic!("the scenes of the blocks are weakly compressible");
+        };
         (*reference_density, *sound_speed) = (*reference_density * density, *sound_speed * speed);
         for variant in Variant::ALL {
             let settings = Settings::default();
@@ -256,6 +259,7 @@ fn extrude<const D: usize, const E: usize>(scene: &Scene<D>) -> Scene<E> {
             velocity_gradient: std::array::from_fn(|row| {
                 if row < D { longer(point.velocity_gradient[row], 0.0) } else { [0.0; E] }
             }),
+            energy: point.energy,
         })
         .collect();
     slab

@@ -9,13 +9,13 @@ use common::scenes::{Block, Build};
 use common::{Random, near};
 use transpoint::cells::ABSENT;
 use transpoint::error::StepError;
+use transpoint::material::Inviscid;
 use transpoint::math::Tensor;
 use transpoint::method::Scheme;
 use transpoint::quadrature::Particle;
 use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec, Scene};
 use transpoint::shape::{Linear, QuadraticBspline};
-use transpoint::stress::Inviscid;
 use transpoint::transfer::{Apic, Flip, Pic, Transfer};
 use transpoint::variants::Blend;
 use transpoint::{Settings, Solver, Variant};
@@ -28,23 +28,15 @@ const NODES: [[f64; 2]; 4] = [[2.0, 0.5], [2.0, 1.0], [4.0, 0.5], [4.0, 1.0]];
 
 /// p = 9 · (4 − 2) = 18 Pa in a volume of 2/4 m².
 fn scene() -> Scene<2> {
-    Scene {
-        grid: GridSpec { origin: [0.0; 2], spacing: [2.0, 0.5], cells: [3; 2] },
-        boundaries: [[Boundary::Slip; 2]; 2],
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
-            reference_density: 2.0,
-            sound_speed: 3.0,
-        },
-        body_force: [0.0; 2],
-        viscosity: None,
-        points: vec![PointSpec {
-            position: [2.5, 0.75],
-            velocity: [1.0, -3.0],
-            density: 4.0,
-            mass: 2.0,
+    Scene::new(
+        GridSpec { origin: [0.0; 2], spacing: [2.0, 0.5], cells: [3; 2] },
+        [[Boundary::Slip; 2]; 2],
+        EquationOfStateSpec::WeaklyCompressible { reference_density: 2.0, sound_speed: 3.0 },
+        vec![PointSpec {
             velocity_gradient: [[2.0, -1.0], [0.5, 4.0]],
+            ..PointSpec::new([2.5, 0.75], [1.0, -3.0], 4.0, 2.0)
         }],
-    }
+    )
 }
 
 type One<X> = Solver<f64, 2, Scheme<Linear, Carried, Particle, X>, Inviscid>;

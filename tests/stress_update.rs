@@ -24,23 +24,12 @@ const EVERY: [StressUpdate; 3] =
 ///
 /// ρ = 4, ρ₀ = 2, c₀ = 1: p = 2 Pa in ½ m; the free node holds half of the mass of 2 kg.
 fn scene(velocity: f64) -> Scene<1> {
-    Scene {
-        grid: GridSpec { origin: [0.0], spacing: [1.0], cells: [3] },
-        boundaries: [[Boundary::Slip; 2]],
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
-            reference_density: 2.0,
-            sound_speed: 1.0,
-        },
-        body_force: [0.0],
-        viscosity: None,
-        points: vec![PointSpec {
-            position: [0.5],
-            velocity: [velocity],
-            density: 4.0,
-            mass: 2.0,
-            velocity_gradient: [[0.0]],
-        }],
-    }
+    Scene::new(
+        GridSpec { origin: [0.0], spacing: [1.0], cells: [3] },
+        [[Boundary::Slip; 2]],
+        EquationOfStateSpec::WeaklyCompressible { reference_density: 2.0, sound_speed: 1.0 },
+        vec![PointSpec::new([0.5], [velocity], 4.0, 2.0)],
+    )
 }
 
 /// Position, velocity and density after one step of ¼ s.

@@ -7,6 +7,7 @@ use common::near;
 use common::parts::{FLIP, MIXED, mls};
 use common::phases::{scatter, scheme};
 use common::scenes::{Block, Build, DENSITY};
+use transpoint::material::{Deviatoric, Inviscid, Material};
 use transpoint::math::Tensor;
 use transpoint::particles::Particles;
 use transpoint::quadrature::Particle;
@@ -14,7 +15,6 @@ use transpoint::reconstruction::Carried;
 use transpoint::scene::Boundary;
 use transpoint::shape::Linear;
 use transpoint::shape::QuadraticBspline;
-use transpoint::stress::{DeviatoricStress, Inviscid, Newtonian};
 use transpoint::transfer::{Apic, Transfer};
 use transpoint::{Settings, Solver, Variant};
 
@@ -27,9 +27,10 @@ fn stress_of(gradient: [[f64; 2]; 2]) -> ([[f64; 2]; 2], f64) {
     scene.points[0].position = [0.43, 0.52];
     scene.points[0].velocity_gradient = gradient;
     let method = scheme(QuadraticBspline, Carried, Particle, Apic);
-    let mut solver = Solver::new(&scene, method, Newtonian { viscosity: VISCOSITY }).unwrap();
+    let mut solver =
+        Solver::new(&scene, method, Deviatoric::Newtonian { viscosity: VISCOSITY }).unwrap();
     solver.advance(0.0).unwrap();
-    (solver.particles.stress[0].0, solver.particles.density[0])
+    (solver.particles.state[0].0, solver.particles.density[0])
 }
 
 /// s = 2 ρ ν dev(sym L); the trace is taken in three dimensions.
@@ -66,8 +67,9 @@ fn a_stressed_point_pulls_its_nodes() {
     scene.points[0].position = [0.15, 0.18];
     let method = scheme(Linear, Carried, Particle, FLIP);
     let mut solver =
-        Solver::<f64, 2, _, _>::new(&scene, method, Newtonian { viscosity: 1.0 }).unwrap();
-    solver.particles.stress[0] = Tensor([[0.0, 5.0], [5.0, 0.0]]);
+        Solver::<f64, 2, _, _>::new(&scene, method, Deviatoric::Newtonian { viscosity: 1.0 })
+            .unwrap();
+    solver.particles.state[0] = Tensor([[0.0, 5.0], [5.0, 0.0]]);
     scatter(&mut solver, 0.0);
     let volume = scene.points[0].mass / DENSITY;
     // Weights ½ across; gradients ± 1/h.
@@ -84,10 +86,11 @@ fn a_stressed_point_pulls_its_nodes() {
 fn a_shear_wave_decays_at_the_viscous_rate() {
     shear_wave_decays(
         scheme(QuadraticBspline, Carried, Particle, FLIP),
-        Newtonian { viscosity: 0.2 },
+        Deviatoric::Newtonian { viscosity: 0.2 },
     )
     .unwrap();
-    shear_wave_decays(scheme(Linear, mls(), MIXED, FLIP), Newtonian { viscosity: 0.2 }).unwrap();
+    shear_wave_decays(scheme(Linear, mls(), MIXED, FLIP), Deviatoric::Newtonian { viscosity: 0.2 })
+        .unwrap();
 }
 
 #[test]
@@ -124,7 +127,7 @@ fn points_carry_what_their_scene_and_method_need() {
 
 #[test]
 fn absent_ingredients_take_no_memory() {
-    assert_eq!(size_of::<<Inviscid as DeviatoricStress<f64, 3>>::Stress>(), 0);
+    assert_eq!(size_of::<<Inviscid as Material<f64, 3>>::State>(), 0);
     assert_eq!(size_of::<<transpoint::transfer::Flip as Transfer<f64, 3>>::Affine>(), 0);
     assert_eq!(size_of::<<transpoint::transfer::Pic as Transfer<f64, 3>>::Affine>(), 0);
     assert_eq!((size_of::<Inviscid>(), size_of::<Particle>(), size_of::<Carried>()), (0, 0, 0));

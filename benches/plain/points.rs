@@ -66,7 +66,10 @@ impl<T: Real, const D: usize> Points<T, D> {
     /// The points of a scene; its grid must start at the origin and have cubic cells.
     pub fn new(scene: &Scene<D>, affine: bool) -> Self {
         let EquationOfStateSpec::WeaklyCompressible { reference_density, sound_speed } =
-            scene.equation_of_state;
+            scene.equation_of_state
+        else {
+            panic!("the plain kernels know the weakly compressible law only");
+        };
         let n = scene.points.len();
         let mut points = Self {
             position: scene.points.iter().map(|p| p.position.map(T::lit)).collect(),

@@ -53,17 +53,15 @@ pub fn scene_of_cells<const D: usize>(cells: [usize; D], layout: Layout) -> Scen
             points.push(point(position, cells, volume));
         }
     }
-    Scene {
-        grid: GridSpec { origin: [0.0; D], spacing: [SPACING; D], cells },
-        boundaries: [[Boundary::Slip; 2]; D],
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
+    Scene::new(
+        GridSpec { origin: [0.0; D], spacing: [SPACING; D], cells },
+        [[Boundary::Slip; 2]; D],
+        EquationOfStateSpec::WeaklyCompressible {
             reference_density: REFERENCE_DENSITY,
             sound_speed: SOUND_SPEED,
         },
-        body_force: [0.0; D],
-        viscosity: None,
         points,
-    }
+    )
 }
 
 /// A point of a standing wave: velocity zero through the walls, density a thousandth off at most.
@@ -76,8 +74,7 @@ fn point<const D: usize>(position: [f64; D], cells: [usize; D], volume: f64) -> 
     });
     let wave: f64 = phase.iter().map(|p| (2.0 * p).cos()).product();
     let density = REFERENCE_DENSITY * (1.0 + 1e-3 * wave);
-    let velocity_gradient = [[0.0; D]; D];
-    PointSpec { position, velocity, density, mass: density * volume, velocity_gradient }
+    PointSpec::new(position, velocity, density, density * volume)
 }
 
 /// A small generator (SplitMix64): the same points on every machine, with no crate's version in between.

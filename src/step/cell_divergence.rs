@@ -4,8 +4,8 @@ use super::GridState;
 use crate::Scalar;
 use crate::cells::ABSENT;
 use crate::formulation::{Formulation, PointDivergence};
+use crate::material::Material;
 use crate::method::Method;
-use crate::stress::DeviatoricStress;
 
 /// Divergence at the points of one cell.
 pub(super) enum CellDivergence<T> {
@@ -17,7 +17,7 @@ pub(super) enum CellDivergence<T> {
 
 impl<T: Scalar> CellDivergence<T> {
     #[inline(always)]
-    pub fn around<const D: usize, M: Method<T, D>, K: DeviatoricStress<T, D>>(
+    pub fn around<const D: usize, M: Method<T, D>, K: Material<T, D>>(
         state: &GridState<'_, T, D, M, K>,
         slot: usize,
         cell: [usize; D],

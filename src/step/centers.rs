@@ -1,10 +1,11 @@
-//! Cell values: density, pressure and stress at centres, and the divergence of each cell.
+//! Cell values: density, pressure and state of the material at centres, and the divergence of each cell.
 
-use super::{CELL_GRAIN, StressOf, View};
+use super::{CELL_GRAIN, StateOf, View};
 use crate::Scalar;
 use crate::basis::Fit;
 use crate::cells::Cells;
 use crate::grid::Grid;
+use crate::material::Material;
 use crate::math::{Field, Value};
 use crate::method::Method;
 use crate::parallel::{fold_blocks, for_each_block};
@@ -13,7 +14,6 @@ use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
 use crate::simd::vectorized;
 use crate::stencil::{for_each_outer_row, rows_at_center};
-use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
 /// Fields of one cell.
@@ -25,32 +25,32 @@ pub struct Center<T, S> {
     pub pressure: T,
     /// Volume of fluid, m³.
     pub volume: T,
-    /// Deviatoric stress, Pa.
-    pub stress: S,
+    /// State of the material.
+    pub state: S,
 }
 
 impl<T: Scalar, S: Field<T>> Default for Center<T, S> {
     fn default() -> Self {
         let zero = T::zero();
-        Self { density: zero, pressure: zero, volume: zero, stress: S::default() }
+        Self { density: zero, pressure: zero, volume: zero, state: S::default() }
     }
 }
 
-/// Rebuilds density, pressure and stress in every active cell, Eqs. (17)-(18) of \[Song2020\].
+/// Rebuilds density, pressure and material state in every active cell, Eqs. (17)-(18) of \[Song2020\].
 ///
 /// Cells sampled at their points get the volume-weighted means of these points, which only the
 /// velocity-pressure formulation uses.
 pub fn rebuild_centers<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
-    centers: &mut [Center<T, StressOf<T, D, K>>],
+    centers: &mut [Center<T, StateOf<T, D, K>>],
 ) -> Counters
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let quadrature = view.method.quadrature();
-    let work = |slots: std::ops::Range<usize>, part: &mut [Center<T, StressOf<T, D, K>>]| {
+    let work = |slots: std::ops::Range<usize>, part: &mut [Center<T, StateOf<T, D, K>>]| {
         vectorized!(_simd => {
             let mut counters = Counters::default();
             for (slot, center) in slots.zip(part) {
@@ -71,11 +71,11 @@ fn full_cell<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
     slot: usize,
     counters: &mut Counters,
-) -> Center<T, StressOf<T, D, K>>
+) -> Center<T, StateOf<T, D, K>>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let particles = view.particles;
     let cell = view.grid.cell_coordinates(view.cells.index[slot]);
@@ -83,16 +83,16 @@ where
         &view.cloud(),
         cell,
         #[inline(always)]
-        |point| (Value(particles.density[point]), particles.stress[point]),
+        |point| (Value(particles.density[point]), particles.state[point]),
     );
     counters.count_fit(&fit);
-    let (Value(density), stress) = fit.value().unwrap_or_else(|| {
+    let (Value(density), state) = fit.value().unwrap_or_else(|| {
         // The cell's own points all lie where the weight is zero: take the first of them.
         let point = view.cells.points(slot).start;
-        (Value(particles.density[point]), particles.stress[point])
+        (Value(particles.density[point]), particles.state[point])
     });
-    let pressure = view.physics.equation_of_state.pressure(density);
-    Center { density, pressure, volume: view.grid.cell_volume(), stress }
+    let pressure = view.physics.pressure(density, &state);
+    Center { density, pressure, volume: view.grid.cell_volume(), state }
 }
 
 /// A cell cut by the surface: volume-weighted means over the points that it holds.
@@ -100,28 +100,28 @@ where
 fn cut_cell<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
     slot: usize,
-) -> Center<T, StressOf<T, D, K>>
+) -> Center<T, StateOf<T, D, K>>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let particles = view.particles;
     let cloud = view.cloud();
     let volumes = view.method.quadrature().point_volumes(&cloud, slot);
     let (mut volume, mut mass, mut work) = (T::zero(), T::zero(), T::zero());
-    let mut stress = StressOf::<T, D, K>::default();
+    let mut state = StateOf::<T, D, K>::default();
     for point in view.cells.points(slot) {
         let density = particles.density[point];
         let (part, part_mass) = volumes.of(point, particles.mass[point], density);
         volume += part;
         mass += part_mass;
-        work += part * view.physics.equation_of_state.pressure(density);
-        stress.add_scaled(part, particles.stress[point]);
+        work += part * view.physics.pressure(density, &particles.state[point]);
+        state.add_scaled(part, particles.state[point]);
     }
-    let mut mean = StressOf::<T, D, K>::default();
-    mean.add_scaled(T::one() / volume, stress);
-    Center { density: mass / volume, pressure: work / volume, volume, stress: mean }
+    let mut mean = StateOf::<T, D, K>::default();
+    mean.add_scaled(T::one() / volume, state);
+    Center { density: mass / volume, pressure: work / volume, volume, state: mean }
 }
 
 /// Divergence of each active cell by the one-point rule, D_c = Σ_I v_I · ∇N_I(x_c), 1/s.

@@ -4,57 +4,20 @@ use std::marker::PhantomData;
 
 use super::cell_divergence::CellDivergence;
 use super::gather::{Gathered, Site, Want};
-use super::{AffineOf, CELL_GRAIN, Physics, StressOf};
+use super::settle::{Failure, Outcome, check, is_quiet, settle};
+use super::{AffineOf, CELL_GRAIN, Physics, StateOf};
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
 use crate::grid::Grid;
-use crate::math::narrow;
+use crate::material::{Material, Strain, Work};
+use crate::math::{dot, narrow};
 use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
-use crate::scene::Boundary;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
 use crate::simd::{Simd, vectorized};
 use crate::stencil::{Rows, moments_at, node_positions, rows_at};
-use crate::stress::DeviatoricStress;
 use crate::transfer::Transfer;
-
-/// Why a point cannot go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Failure {
-    /// Velocity or position is not finite.
-    NotFinite,
-    /// Density is not positive.
-    NotPositive,
-    /// The point has crossed a wall.
-    LeftDomain,
-}
-
-/// What became of the points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outcome {
-    /// First failing point and why.
-    pub failure: Option<(usize, Failure)>,
-    /// Points marked for removal.
-    pub n_removed: u64,
-}
-
-impl Outcome {
-    /// Records a failure of a point unless there was one before.
-    #[inline(always)]
-    fn note(&mut self, point: usize, failure: Option<Failure>) {
-        if self.failure.is_none() {
-            self.failure = failure.map(|why| (point, why));
-        }
-    }
-
-    fn then(self, later: Self) -> Self {
-        Self {
-            failure: self.failure.or(later.failure),
-            n_removed: self.n_removed + later.n_removed,
-        }
-    }
-}
 
 /// Where the state update takes its velocities from.
 #[derive(Clone, Copy, Debug)]
@@ -103,12 +66,12 @@ pub fn grid_to_particles<T, const D: usize, M, K>(
     state: &GridState<'_, T, D, M, K>,
     pass: Pass,
     dt: T,
-    points: ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+    points: ParticlesMut<'_, T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
 ) -> Outcome
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let first = &state.cells.first;
     let work = |slots: std::ops::Range<usize>, mut points: ParticlesMut<'_, T, D, _, _>| {
@@ -132,19 +95,20 @@ impl<T, const D: usize, M, K> Block<'_, T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     #[inline(always)]
     fn run<S: Simd>(
         &self,
         simd: S,
         slots: std::ops::Range<usize>,
-        points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+        points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
     ) -> Outcome {
         let Self { state, pass, dt, begin } = *self;
         let (shape, grid) = (state.method.shape(), *state.grid);
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
         let share = state.method.transfer().flip_share(dt);
+        let floor = state.physics.minimum_density;
         let n_rows = M::Shape::REACH.pow(D as u32 - 1);
         let mut outcome = Outcome::default();
         for slot in slots {
@@ -174,8 +138,8 @@ where
                 };
                 let found = self.gather(simd, &site);
                 let motion = narrow(found.velocity);
+                let old = points.velocity[p];
                 if pass.velocity {
-                    let old = points.velocity[p];
                     points.velocity[p] =
                         blend::<T, D, M::Transfer>(share, old, found.increment, motion);
                     if affine {
@@ -185,7 +149,8 @@ where
                     }
                 }
                 if pass.state {
-                    self.strain(simd, p, &mut points, &site, (&found, &cell_divergence, cell));
+                    let found = (&found, old, &cell_divergence, cell);
+                    self.strain(simd, p, &mut points, &site, found);
                 }
                 if pass.motion {
                     for axis in 0..D {
@@ -193,8 +158,12 @@ where
                     }
                 }
                 let (velocity, density) = (points.velocity[p], points.density[p]);
-                if !is_quiet(&grid, cell, points.position[p], velocity, density) {
+                if !is_quiet(&grid, cell, points.position[p], velocity, (density, floor)) {
                     outcome.note(first + p, check(velocity, points.position[p], density));
+                    if density > T::zero() && density < floor {
+                        points.density[p] = floor;
+                        outcome.n_raised += 1;
+                    }
                     if pass.motion {
                         let place =
                             settle(&grid, &state.physics.boundaries, &mut points.position[p]);
@@ -225,9 +194,9 @@ where
         &self,
         simd: S,
         p: usize,
-        points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StressOf<T, D, K>>,
+        points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
         site: &Site<'_, T, D, M::Shape>,
-        (found, cell_divergence, cell): (&Gathered<T, D>, &CellDivergence<T>, [usize; D]),
+        (found, old, cell_divergence, cell): Found<'_, T, D>,
     ) {
         let source = &self.state.source;
         let divergence = match cell_divergence {
@@ -240,12 +209,53 @@ where
                 cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
             }
         };
+        let before = points.density[p];
         points.density[p] /= T::one() + self.dt * divergence;
         if K::PRESENT {
             let gradient = site.velocity_gradient(simd, source.velocity);
-            points.stress[p] = self.state.physics.stress.update(points.density[p], &gradient);
+            let Physics { material, equation_of_state, .. } = &self.state.physics;
+            let work = material.wants_work().then(|| {
+                let heat = heat(found.increment, old, points.velocity[p]);
+                let change = site.velocity_gradient(simd, self.state.increment);
+                Work { gradient: mean_gradient(gradient, change), heat }
+            });
+            let density = [before, points.density[p]];
+            let strain = Strain { dt: self.dt, density, divergence, gradient, work };
+            points.state[p] = material.update(equation_of_state, &points.state[p], &strain);
         }
     }
+}
+
+/// What the strain of a point is found from: sums over its nodes, its velocity before the step, the
+/// divergences around, and its cell.
+type Found<'a, T, const D: usize> = (&'a Gathered<T, D>, [T; D], &'a CellDivergence<T>, [usize; D]);
+
+/// Kinetic energy per mass that the nodes gave a point and that it does not have, J/kg.
+///
+/// ```text
+/// v_p · δ + Σ N ½ |Δt a|² − ½ (|v_p'|² − |v_p|²),   δ = Σ N Δt a
+/// ```
+///
+/// Summed over the points with their masses, the first two terms are the change of the nodes' kinetic
+/// energy. With pure FLIP the rest is Σ N ½ |Δt a − δ|², never negative.
+#[inline(always)]
+fn heat<T: Scalar, const D: usize>(increment: [T; 4], old: [T; D], new: [T; D]) -> T {
+    let change = T::lit(0.5) * (dot(new, new) - dot(old, old));
+    dot(old, narrow(increment)) + increment[3] - change
+}
+
+/// Gradient of the velocity half-way through the step from that at its end and its change.
+#[inline(always)]
+fn mean_gradient<T: Scalar, const D: usize>(
+    mut end: [[T; D]; D],
+    change: [[T; D]; D],
+) -> [[T; D]; D] {
+    for i in 0..D {
+        for j in 0..D {
+            end[i][j] -= T::lit(0.5) * change[i][j];
+        }
+    }
+    end
 }
 
 /// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
@@ -278,76 +288,6 @@ fn blend<T: Scalar, const D: usize, X: Transfer<T, D>>(
     }
     let rest = T::one() - share;
     std::array::from_fn(|axis| share * (old[axis] + increment[axis]) + rest * grid[axis])
-}
-
-/// Moves a point into the box over periodic faces and finds its cell.
-///
-/// [`ABSENT`] marks a point that has left through a free face; `None` one that has left elsewhere.
-#[inline(never)]
-fn settle<T: Scalar, const D: usize>(
-    grid: &Grid<T, D>,
-    boundaries: &[[Boundary; 2]; D],
-    position: &mut [T; D],
-) -> Option<u32> {
-    if let Some(cell) = grid.cell_of(*position) {
-        return Some(cell);
-    }
-    let mut removed = false;
-    for axis in 0..D {
-        let n = T::from_index(grid.n_cells[axis]);
-        let below = grid.in_cells(*position, axis) < T::zero();
-        let above = grid.in_cells(*position, axis) > n;
-        if grid.periodic[axis] && (below || above) {
-            let length = grid.spacing[axis] * n;
-            position[axis] += if below { length } else { -length };
-            // On the face itself rounding can put the image out on the other side.
-            let image = grid.in_cells(*position, axis);
-            if (below && image > n) || (above && image < T::zero()) {
-                position[axis] = grid.origin[axis];
-            }
-        } else if below || above {
-            removed |= boundaries[axis][usize::from(above)] == Boundary::Free;
-        }
-    }
-    if removed { Some(ABSENT) } else { grid.cell_of(*position) }
-}
-
-/// Whether a point is sound and still in its cell, which spares the search.
-#[inline(always)]
-fn is_quiet<T: Scalar, const D: usize>(
-    grid: &Grid<T, D>,
-    cell: [usize; D],
-    position: [T; D],
-    velocity: [T; D],
-    density: T,
-) -> bool {
-    let mut quiet = density > T::zero() && density.is_finite();
-    let mut zero = T::zero();
-    for axis in 0..D {
-        let xi = grid.in_cells(position, axis) - T::from_index(cell[axis]);
-        quiet &= xi >= T::zero() && xi < T::one();
-        zero += T::zero() * velocity[axis];
-    }
-    quiet && zero == T::zero()
-}
-
-#[cold]
-fn check<T: Scalar, const D: usize>(
-    velocity: [T; D],
-    position: [T; D],
-    density: T,
-) -> Option<Failure> {
-    let mut finite = density.is_finite();
-    for axis in 0..D {
-        finite &= velocity[axis].is_finite() & position[axis].is_finite();
-    }
-    if !finite {
-        Some(Failure::NotFinite)
-    } else if density > T::zero() {
-        None
-    } else {
-        Some(Failure::NotPositive)
-    }
 }
 
 #[inline(always)]

@@ -4,26 +4,30 @@ mod cell_divergence;
 mod centers;
 mod gather;
 mod grid_to_particles;
+mod limit_pressure;
 mod node_velocity;
 mod particles_to_grid;
+mod settle;
 mod spread;
 mod update_grid;
 
 pub use centers::{Center, divergence, rebuild_centers};
-pub use grid_to_particles::{Failure, GridState, Outcome, Pass, StateSource, grid_to_particles};
+pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
+pub use limit_pressure::{CellMean, limit_pressure};
 pub use node_velocity::{node_velocity, transfer_velocity};
 pub use particles_to_grid::{ScatterParts, fuses_impulse, particles_to_grid};
-pub use update_grid::{NodeForces, constrain, update_grid};
+pub use settle::{Failure, Outcome};
+pub use update_grid::{NodeForces, constrain, increment_energy, update_grid};
 
 use crate::Scalar;
 use crate::cells::Cells;
 use crate::equation_of_state::EquationOfState;
 use crate::grid::Grid;
+use crate::material::Material;
 use crate::method::Method;
 use crate::particles::Particles;
 use crate::reconstruction::Cloud;
 use crate::scene::Boundary;
-use crate::stress::DeviatoricStress;
 use crate::transfer::Transfer;
 
 /// Cells per task in loops over cells and their points.
@@ -35,24 +39,35 @@ pub const NODE_GRAIN: usize = 1024;
 /// The affine field that a method's points carry.
 pub type AffineOf<T, const D: usize, M> = <<M as Method<T, D>>::Transfer as Transfer<T, D>>::Affine;
 
-/// The stress that points carry.
-pub type StressOf<T, const D: usize, K> = <K as DeviatoricStress<T, D>>::Stress;
+/// What points carry besides density.
+pub type StateOf<T, const D: usize, K> = <K as Material<T, D>>::State;
 
 /// The points of a method.
 pub type ParticlesOf<T, const D: usize, M, K> =
-    Particles<T, D, AffineOf<T, D, M>, StressOf<T, D, K>>;
+    Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>;
 
 /// What the scene prescribes.
 #[derive(Clone, Copy, Debug)]
 pub struct Physics<T, const D: usize, K> {
     /// Pressure law.
     pub equation_of_state: EquationOfState<T>,
-    /// Deviatoric stress.
-    pub stress: K,
+    /// What the material is made of besides its pressure law.
+    pub material: K,
+    /// Density to which a point of less is raised, kg/m³; zero: none.
+    pub minimum_density: T,
     /// Acceleration, m/s².
     pub body_force: [T; D],
     /// Lower and upper face of each axis.
     pub boundaries: [[Boundary; 2]; D],
+}
+
+impl<T: Scalar, const D: usize, K: Material<T, D>> Physics<T, D, K> {
+    /// Pressure of the law and of the bulk viscosity, Pa.
+    #[inline(always)]
+    pub fn pressure(&self, density: T, state: &StateOf<T, D, K>) -> T {
+        let pressure = self.equation_of_state.pressure(density, K::energy(state));
+        if K::PRESENT { pressure + K::viscous_pressure(state) } else { pressure }
+    }
 }
 
 /// The inputs of a phase: everything that it reads.
@@ -61,7 +76,7 @@ pub struct View<'a, T, const D: usize, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     /// The recipe.
     pub method: &'a M,
@@ -79,7 +94,7 @@ impl<T, const D: usize, M, K> View<'_, T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     /// The points as a searchable cloud.
     #[inline(always)]

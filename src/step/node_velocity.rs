@@ -3,6 +3,7 @@
 use super::{NODE_GRAIN, View};
 use crate::Scalar;
 use crate::cells::{ABSENT, CellKind};
+use crate::material::Material;
 use crate::math::Row4;
 use crate::method::Method;
 use crate::parallel::{fold_blocks, for_each_block};
@@ -10,7 +11,6 @@ use crate::quadrature::Quadrature;
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
 use crate::simd::vectorized;
-use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 
 /// Velocity of a node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
@@ -37,7 +37,7 @@ pub fn node_velocity<T, const D: usize, M, K>(
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     if !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
         for_each_block(index.len(), NODE_GRAIN, velocity, &|nodes, part: &mut [[T; 4]]| {
@@ -74,7 +74,7 @@ fn rebuild<T, const D: usize, M, K>(
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let shape = view.method.shape();
     let mut at = [T::zero(); D];
@@ -108,7 +108,7 @@ fn is_interior<T, const D: usize, M, K>(view: &View<'_, T, D, M, K>, node: [usiz
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     if !<M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
         return true;

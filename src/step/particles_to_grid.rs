@@ -1,9 +1,10 @@
 //! Points and cells → nodes: momentum, mass and force.
 
 use super::spread::{Site, Spread};
-use super::{Center, StressOf, View};
+use super::{Center, StateOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
+use crate::material::Material;
 use crate::math::widen;
 use crate::method::Method;
 use crate::nodes::Nodes;
@@ -13,7 +14,6 @@ use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
 use crate::simd::{Simd, load, splat, vectorized};
 use crate::stencil::{moments_at, node_positions, rows_at, rows_at_center};
-use crate::stress::DeviatoricStress;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
 
@@ -41,14 +41,14 @@ pub enum ScatterParts {
 /// node, so the order of summation depends on the grid alone.
 pub fn particles_to_grid<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
-    centers: &[Center<T, StressOf<T, D, K>>],
+    centers: &[Center<T, StateOf<T, D, K>>],
     (parts, dt): (ScatterParts, T),
     nodes: &mut Nodes<T>,
 ) -> Counters
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let zero = [T::zero(); 4];
     nodes.transfer.fill(zero);
@@ -112,10 +112,10 @@ struct Input<'a, T, const D: usize, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     view: &'a View<'a, T, D, M, K>,
-    centers: &'a [Center<T, StressOf<T, D, K>>],
+    centers: &'a [Center<T, StateOf<T, D, K>>],
     parts: ScatterParts,
     dt: T,
 }
@@ -124,7 +124,7 @@ impl<T, const D: usize, M, K> Input<'_, T, D, M, K>
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     #[inline(always)]
     fn scatter_slabs<S: Simd>(
@@ -183,8 +183,8 @@ where
         let rows = rows_at_center(&self.view.method.shape(), self.view.grid, cell);
         let mass = if full { center.density * center.volume } else { T::zero() };
         let value = [T::zero(), T::zero(), T::zero(), mass];
-        let stress = if full { center.stress } else { StressOf::<T, D, K>::default() };
-        let flux = self.flux(center.pressure * center.volume, center.volume, &stress);
+        let state = if full { center.state } else { StateOf::<T, D, K>::default() };
+        let flux = self.flux(center.pressure * center.volume, center.volume, &state);
         let zero = splat(simd, T::zero());
         let mut spread = Spread { value: load(simd, &value), affine: [zero; D], flux: [zero; D] };
         for axis in 0..D {
@@ -201,7 +201,7 @@ where
 
     /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
     #[inline(always)]
-    fn flux(&self, work: T, volume: T, stress: &StressOf<T, D, K>) -> [[T; 4]; D] {
+    fn flux(&self, work: T, volume: T, state: &StateOf<T, D, K>) -> [[T; 4]; D] {
         let scale = if fuses_impulse::<T, D, M>() { self.dt } else { T::one() };
         let mut columns = [[T::zero(); 4]; D];
         for axis in 0..D {
@@ -209,7 +209,7 @@ where
             if K::PRESENT {
                 let mut unit = [T::zero(); D];
                 unit[axis] = scale * volume;
-                let viscous = K::times(stress, unit);
+                let viscous = K::times(state, unit);
                 for row in 0..D {
                     columns[axis][row] -= viscous[row];
                 }
@@ -261,9 +261,9 @@ where
                 continue;
             };
             let (volume, sample_mass) = volumes.of(first + point, mass, density);
-            let pressure = view.physics.equation_of_state.pressure(density);
+            let pressure = view.physics.pressure(density, &p.state[point]);
             let work = if *with_pressure { volume * pressure } else { T::zero() };
-            let flux = self.flux(work, volume, &p.stress[point]);
+            let flux = self.flux(work, volume, &p.state[point]);
             for axis in 0..D {
                 spread.flux[axis] = load(simd, &flux[axis]);
             }

@@ -47,6 +47,14 @@ pub fn update_grid<T: Scalar, const D: usize>(
     for_each_block(velocity.len(), NODE_GRAIN, (velocity, increment), &work);
 }
 
+/// Writes ½ |Δt a|² (J/kg) to the last entries, so that the gather sums it with the rest.
+pub fn increment_energy<T: Scalar, const D: usize>(increment: &mut [[T; 4]]) {
+    for row in increment {
+        let square = (0..D).fold(T::zero(), |sum, axis| sum + row[axis] * row[axis]);
+        row[3] = T::lit(0.5) * square;
+    }
+}
+
 /// Imposes the velocity of each face on the nodes of that face, and takes away its change.
 ///
 /// Faces are worked on in order of axes, so that the last axis decides on edges and corners.

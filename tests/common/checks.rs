@@ -2,12 +2,12 @@
 
 use transpoint::Solver;
 use transpoint::cells::{ABSENT, CellKind};
+use transpoint::material::{Inviscid, Material};
 use transpoint::method::Method;
 use transpoint::quadrature::Quadrature;
 use transpoint::scene::{Boundary, Scene};
 use transpoint::shape::{AxisPosition, ShapeFunction};
 use transpoint::simulation::Conserved;
-use transpoint::stress::{DeviatoricStress, Inviscid};
 
 use super::phases::{node_sums, owned_nodes, scatter, solver};
 use super::scenes::{Block, DENSITY, SPACING};
@@ -178,7 +178,7 @@ pub fn internal_forces_cancel<T, M, K, const D: usize>(
 where
     T: Precision,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     scatter(solver, T::zero());
     let (sum, size) = node_sums(solver, &solver.nodes.force);
@@ -231,7 +231,7 @@ pub fn interior_force_is<M: Method<f64, D>, const D: usize>(
 ) -> Check {
     let mut solver = solver::<f64, D, M>(scene, method);
     scatter(&mut solver, 0.0);
-    let pressure = solver.physics.equation_of_state.pressure(solver.particles.density[0]);
+    let pressure = solver.physics.equation_of_state.pressure(solver.particles.density[0], 0.0);
     let volume = solver.grid.cell_volume();
     let interior = interior_nodes(&solver);
     if interior.is_empty() {
@@ -252,7 +252,7 @@ pub fn interior_force_is<M: Method<f64, D>, const D: usize>(
 pub fn shear_wave_decays<M, K>(method: M, stress: K) -> Check
 where
     M: Method<f64, 2>,
-    K: DeviatoricStress<f64, 2>,
+    K: Material<f64, 2>,
 {
     let mut block = Block::<2>::full(3, Boundary::Periodic);
     (block.cells[1], block.fluid[1][1]) = (32, 32.0);

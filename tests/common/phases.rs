@@ -1,9 +1,9 @@
 //! Calls of single phases, so that a change of their signatures is made here only.
 
+use transpoint::material::{Inviscid, Material};
 use transpoint::method::{Method, Scheme};
 use transpoint::scene::Scene;
 use transpoint::step::Pass;
-use transpoint::stress::{DeviatoricStress, Inviscid};
 use transpoint::variants::StressUpdate;
 use transpoint::{Scalar, Solver, StepError, formulation::Formulation};
 
@@ -37,7 +37,7 @@ pub fn scatter<T, const D: usize, M, K>(solver: &mut Solver<T, D, M, K>, dt: T)
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     solver.bin_particles();
     solver.particles_to_grid(dt);
@@ -59,7 +59,7 @@ pub fn gather<T, const D: usize, M, K>(
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     solver.strain_from_nodes();
     solver.grid_to_particles(dt, pass)
@@ -78,7 +78,7 @@ pub fn owned_nodes<T, const D: usize, M, K>(solver: &Solver<T, D, M, K>) -> Vec<
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let grid = &solver.grid;
     let owned = |node: u32| {
@@ -96,7 +96,7 @@ pub fn node_sums<T, const D: usize, M, K>(
 where
     T: Scalar,
     M: Method<T, D>,
-    K: DeviatoricStress<T, D>,
+    K: Material<T, D>,
 {
     let (mut sum, mut size) = ([0.0; 4], [0.0; 4]);
     for slot in owned_nodes(solver) {

@@ -60,17 +60,15 @@ impl<const D: usize> Block<D> {
     pub fn scene(&self) -> Scene<D> {
         let spacing = std::array::from_fn(|axis| SPACING[axis]);
         let grid = GridSpec { origin: [0.0; D], spacing, cells: self.cells };
-        Scene {
+        Scene::new(
             grid,
-            boundaries: [[self.faces; 2]; D],
-            equation_of_state: EquationOfStateSpec::WeaklyCompressible {
+            [[self.faces; 2]; D],
+            EquationOfStateSpec::WeaklyCompressible {
                 reference_density: DENSITY,
                 sound_speed: SOUND_SPEED,
             },
-            body_force: [0.0; D],
-            viscosity: None,
-            points: self.points(spacing),
-        }
+            self.points(spacing),
+        )
     }
 
     fn points(&self, spacing: [f64; D]) -> Vec<PointSpec<D>> {
@@ -92,7 +90,8 @@ impl<const D: usize> Block<D> {
             let velocity_gradient = std::array::from_fn(|_| {
                 std::array::from_fn(|axis| self.speed * random.signed() / spacing[axis])
             });
-            PointSpec { position, velocity, density, mass: density * volume, velocity_gradient }
+            let point = PointSpec::new(position, velocity, density, density * volume);
+            PointSpec { velocity_gradient, ..point }
         };
         (0..counts.iter().product()).map(point).collect()
     }

@@ -15,11 +15,11 @@ use common::parts::{DT, FLIP, block, mls};
 use common::phases::scheme;
 use common::scenes::Block;
 use transpoint::formulation::PointDivergence;
+use transpoint::material::Deviatoric;
 use transpoint::quadrature::{Mixed, Particle};
 use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, Scene};
 use transpoint::shape::{Linear, QuadraticBspline};
-use transpoint::stress::Newtonian;
 use transpoint::transfer::{Apic, Transfer};
 use transpoint::variants::PointVolume;
 use wrong::{
@@ -150,7 +150,7 @@ fn stress_of_the_wrong_sign_is_flagged() {
     flags(
         "stress of the wrong sign",
         [
-            shear_wave_decays(method, Newtonian { viscosity: 0.2 }),
+            shear_wave_decays(method, Deviatoric::Newtonian { viscosity: 0.2 }),
             shear_wave_decays(method, Antiviscous),
         ],
     );

@@ -2,11 +2,12 @@
 
 use transpoint::basis::{self, Fit};
 use transpoint::cells::CellKind;
+use transpoint::equation_of_state::EquationOfState;
+use transpoint::material::{Deviatoric, Material, Strain};
 use transpoint::math::{Field, Tensor};
 use transpoint::quadrature::{PointVolumes, Quadrature, Samples};
 use transpoint::reconstruction::{Cloud, MovingLeastSquares, Reconstruction};
 use transpoint::shape::{AxisPosition, Linear, QuadraticBspline, Row, ShapeFunction};
-use transpoint::stress::{DeviatoricStress, Newtonian};
 use transpoint::transfer::{Apic, Transfer};
 
 use crate::common::parts::{FLIP, MIXED};
@@ -161,19 +162,24 @@ impl<const MUTATION: u8> Quadrature<f64, 2> for Wrong<MUTATION> {
 #[derive(Clone, Copy)]
 pub struct Antiviscous;
 
-impl DeviatoricStress<f64, 2> for Antiviscous {
-    type Stress = Tensor<f64, 2>;
+impl Material<f64, 2> for Antiviscous {
+    type State = Tensor<f64, 2>;
     const PRESENT: bool = true;
 
-    fn update(&self, density: f64, gradient: &[[f64; 2]; 2]) -> Self::Stress {
-        Newtonian { viscosity: -0.2 }.update(density, gradient)
+    fn update(
+        &self,
+        law: &EquationOfState<f64>,
+        state: &Self::State,
+        strain: &Strain<f64, 2>,
+    ) -> Self::State {
+        Deviatoric::Newtonian { viscosity: -0.2 }.update(law, state, strain)
     }
 
-    fn times(stress: &Self::Stress, gradient: [f64; 2]) -> [f64; 2] {
-        <Newtonian<f64> as DeviatoricStress<f64, 2>>::times(stress, gradient)
+    fn times(stress: &Self::State, gradient: [f64; 2]) -> [f64; 2] {
+        <Deviatoric<f64> as Material<f64, 2>>::times(stress, gradient)
     }
 
-    fn viscosity(&self) -> f64 {
+    fn viscosity(&self, _sound_speed: f64) -> f64 {
         0.2
     }
 }

@@ -2,6 +2,7 @@
 
 use transpoint::basis::{Constant, Fit, Linear as LinearBasis, PolynomialBasis, Quadratic};
 use transpoint::formulation::{Formulation, PointDivergence};
+use transpoint::material::Inviscid;
 use transpoint::math::Value;
 use transpoint::method::Scheme;
 use transpoint::quadrature::Particle;
@@ -9,7 +10,6 @@ use transpoint::reconstruction::{Carried, MovingLeastSquares, Reconstruction};
 use transpoint::scene::{EquationOfStateSpec, PointSpec};
 use transpoint::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
 use transpoint::stencil::{Rows, rows_at, rows_at_center};
-use transpoint::stress::Inviscid;
 use transpoint::transfer::{Apic, Pic, Transfer};
 use transpoint::variants::StressUpdate;
 use transpoint::{Scene, Solver};
@@ -115,23 +115,20 @@ where
     X: Transfer<f64, 2>,
 {
     let point = |&position: &[f64; 2]| PointSpec {
-        position,
-        velocity: [(field.value)(position), 0.0],
-        density: 1.0,
-        mass: 1.0 / positions.len() as f64,
         velocity_gradient: [(field.gradient)(position), [0.0; 2]],
+        ..PointSpec::new(
+            position,
+            [(field.value)(position), 0.0],
+            1.0,
+            1.0 / positions.len() as f64,
+        )
     };
-    let scene = Scene {
-        grid: grid_spec(n),
-        boundaries: BOUNDARIES,
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
-            reference_density: 1.0,
-            sound_speed: 1.0,
-        },
-        body_force: [0.0; 2],
-        viscosity: None,
-        points: positions.iter().map(point).collect(),
-    };
+    let scene = Scene::new(
+        grid_spec(n),
+        BOUNDARIES,
+        EquationOfStateSpec::WeaklyCompressible { reference_density: 1.0, sound_speed: 1.0 },
+        positions.iter().map(point).collect(),
+    );
     let scheme = Scheme {
         shape,
         reconstruction: Carried,

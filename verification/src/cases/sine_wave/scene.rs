@@ -125,25 +125,19 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
         velocity[parameters.axis] = wave.velocity(along[0], 0.0);
         let mut velocity_gradient = [[0.0; D]; D];
         velocity_gradient[parameters.axis][parameters.axis] = wave.velocity_gradient(along[0], 0.0);
-        points.push(PointSpec {
-            position: frame.map(|i| along[i]),
-            velocity,
-            density: DENSITY,
-            mass,
-            velocity_gradient,
-        });
+        let position = frame.map(|i| along[i]);
+        let point = PointSpec::new(position, velocity, DENSITY, mass);
+        points.push(PointSpec { velocity_gradient, ..point });
     }
-    Scene {
-        grid: GridSpec { origin: [0.0; D], spacing: [h; D], cells },
-        boundaries: [[Boundary::Slip; 2]; D],
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
+    Scene::new(
+        GridSpec { origin: [0.0; D], spacing: [h; D], cells },
+        [[Boundary::Slip; 2]; D],
+        EquationOfStateSpec::WeaklyCompressible {
             reference_density: DENSITY,
             sound_speed: SOUND_SPEED,
         },
-        body_force: [0.0; D],
-        viscosity: None,
         points,
-    }
+    )
 }
 
 fn power(base: f64, exponent: usize) -> f64 {

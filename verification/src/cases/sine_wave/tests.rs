@@ -31,6 +31,8 @@ fn exact_state<const D: usize>(parameters: &Parameters, scene: &Scene<D>) -> Obs
             density: wave.density(material, time),
             pressure: wave.pressure(material, time),
             mass: point.mass,
+            energy: 0.0,
+            stress: [[0.0; D]; D],
         }
     });
     Observation { time, points: points.collect() }

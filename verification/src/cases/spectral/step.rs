@@ -3,12 +3,12 @@
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 use transpoint::formulation::Formulation;
+use transpoint::material::Inviscid;
 use transpoint::method::Scheme;
 use transpoint::quadrature::Particle;
 use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::shape::QuadraticBspline;
-use transpoint::stress::Inviscid;
 use transpoint::transfer::Apic;
 use transpoint::{InvalidInput, Scene, Settings, Simulation, Solver, Variant};
 
@@ -101,24 +101,13 @@ pub(super) fn scene<const D: usize>(cells: usize, jitter: f64, seed: u64) -> Sce
         }
     };
     let mass = std::iter::repeat_n(0.5, D).product();
-    let point = |position| PointSpec {
-        position,
-        velocity: [0.0; D],
-        density: 1.0,
-        mass,
-        velocity_gradient: [[0.0; D]; D],
-    };
-    Scene {
-        grid: GridSpec { origin: [0.0; D], spacing: [1.0; D], cells: [cells; D] },
-        boundaries: [[Boundary::Periodic; 2]; D],
-        equation_of_state: EquationOfStateSpec::WeaklyCompressible {
-            reference_density: 1.0,
-            sound_speed: 1.0,
-        },
-        body_force: [0.0; D],
-        viscosity: None,
-        points: positions.into_iter().map(point).collect(),
-    }
+    let point = |position| PointSpec::new(position, [0.0; D], 1.0, mass);
+    Scene::new(
+        GridSpec { origin: [0.0; D], spacing: [1.0; D], cells: [cells; D] },
+        [[Boundary::Periodic; 2]; D],
+        EquationOfStateSpec::WeaklyCompressible { reference_density: 1.0, sound_speed: 1.0 },
+        positions.into_iter().map(point).collect(),
+    )
 }
 
 fn positions<const D: usize>(cells: usize, jitter: f64, random: &mut Pcg64) -> Vec<[f64; D]> {
