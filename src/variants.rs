@@ -28,6 +28,8 @@ pub enum Variant {
     TpmVp,
     /// TPM with the velocity-pressure formulation, divergence by quadratic B-splines about the cells.
     TpmVpQuadratic,
+    /// TPM with the velocity-pressure formulation, divergence of the point's cell.
+    TpmVpConstant,
     /// Classic MPM: linear hat, FLIP.
     Mpm,
     /// uGIMP, FLIP.
@@ -44,7 +46,7 @@ pub enum Variant {
 
 impl Variant {
     /// Every variant, in the order of tables and legends.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Tpm,
         Self::TpmVp,
         Self::Mpm,
@@ -54,6 +56,7 @@ impl Variant {
         Self::Apic,
         Self::MpmVp,
         Self::TpmVpQuadratic,
+        Self::TpmVpConstant,
     ];
 
     /// Identifier in command lines, tables and file names.
@@ -62,6 +65,7 @@ impl Variant {
             Self::Tpm => "tpm",
             Self::TpmVp => "tpm-vp",
             Self::TpmVpQuadratic => "tpm-vp2",
+            Self::TpmVpConstant => "tpm-vp0",
             Self::Mpm => "mpm",
             Self::Gimp => "gimp",
             Self::Bspline2 => "bspline2",
@@ -77,6 +81,7 @@ impl Variant {
             Self::Tpm => "transport point method as printed [Song2020]",
             Self::TpmVp => "TPM, velocity-pressure, divergence interpolated from cell centres",
             Self::TpmVpQuadratic => "TPM, velocity-pressure, divergence by quadratic B-splines",
+            Self::TpmVpConstant => "TPM, velocity-pressure, divergence constant in each cell",
             Self::Mpm => "material point method, linear hat, FLIP [Sulsky1994]",
             Self::Gimp => "uniform generalized interpolation MPM, FLIP [Bardenhagen2004]",
             Self::Bspline2 => "quadratic B-spline MPM, FLIP [Steffen2008]",
@@ -117,6 +122,7 @@ macro_rules! build {
                 match self {
                     Self::Tpm => recipe.transport_points(Formulation::Standard),
                     Self::TpmVp => recipe.transport_points(vp(settings.point_divergence)),
+                    Self::TpmVpConstant => recipe.transport_points(vp(PointDivergence::Constant)),
                     Self::TpmVpQuadratic => recipe.transport_points(vp(PointDivergence::Quadratic)),
                     Self::Mpm => recipe.material_points(Linear, Formulation::Standard),
                     Self::Gimp => recipe.material_points(

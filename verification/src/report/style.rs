@@ -138,7 +138,8 @@ pub fn marker(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Result<(
     let at = |offsets: &[(i32, i32)]| -> Vec<(i32, i32)> {
         offsets.iter().map(|(dx, dy)| (x + dx, y + dy)).collect()
     };
-    let strokes: &[&[(i32, i32)]] = match index % PALETTE.len() {
+    // Beyond the palette a colour comes back with the marker of its neighbour.
+    let strokes: &[&[(i32, i32)]] = match (index + index / PALETTE.len()) % PALETTE.len() {
         0 => return canvas.draw(&Circle::new((x, y), 8, style)).map_err(drawing_error),
         1 => &[&[(-8, -8), (8, -8), (8, 8), (-8, 8), (-8, -8)]],
         2 => &[&[(-9, -9), (9, 9)], &[(-9, 9), (9, -9)]],
