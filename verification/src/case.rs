@@ -96,6 +96,29 @@ pub struct Row {
     pub scale: f64,
 }
 
+/// A sampled curve of a run: a profile in space or a history in time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Profile {
+    /// What is sampled, unique within the run.
+    pub name: String,
+    /// Abscissae and values; a value that is not a number is a gap.
+    pub points: Vec<(f64, Option<f64>)>,
+}
+
+impl Profile {
+    /// From pairs whose values may not be numbers.
+    pub fn new(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let gap = |(at, value): (f64, f64)| (at, value.is_finite().then_some(value));
+        Self { name: name.into(), points: points.into_iter().map(gap).collect() }
+    }
+
+    /// Pairs, gaps as not a number.
+    pub fn pairs(&self) -> Vec<(f64, f64)> {
+        self.points.iter().map(|&(at, value)| (at, value.unwrap_or(f64::NAN))).collect()
+    }
+}
+
 /// How a run ended. A blow-up is a result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "status", deny_unknown_fields)]
@@ -126,6 +149,8 @@ pub struct Findings {
     /// The measured numbers, in a fixed order. A run that blew up has the same rows, with values
     /// that are not numbers, so that it leaves a gap in every curve.
     pub rows: Vec<Row>,
+    /// Sampled curves; none where the run blew up.
+    pub profiles: Vec<Profile>,
     /// Work and event counters by name.
     pub counters: BTreeMap<String, u64>,
     /// Wall time of the work itself, without set-up and measurement, s.
@@ -145,6 +170,7 @@ impl Findings {
         Self {
             outcome: Outcome::NotBuilt { reason: reason.to_string() },
             rows,
+            profiles: Vec::new(),
             counters: BTreeMap::new(),
             seconds: 0.0,
         }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Outcome, Row, RunSpec};
+use crate::case::{Outcome, Profile, Row, RunSpec};
 use crate::machine::Manifest;
 use crate::number::{nullable, significant};
 
@@ -23,6 +23,9 @@ pub struct RunRecord {
     pub outcome: Outcome,
     /// The measured numbers.
     pub rows: Vec<Row>,
+    /// Sampled curves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub profiles: Vec<Profile>,
     /// Work and event counters by name.
     pub counters: BTreeMap<String, u64>,
     /// Wall time of the work itself, s.
@@ -36,6 +39,11 @@ impl RunRecord {
     /// The row of that quantity and norm.
     pub fn row(&self, quantity: &str, norm: &str) -> Option<&Row> {
         self.rows.iter().find(|row| row.quantity == quantity && row.norm == norm)
+    }
+
+    /// The curve of that name.
+    pub fn profile(&self, name: &str) -> Option<&Profile> {
+        self.profiles.iter().find(|profile| profile.name == name)
     }
 
     /// Wall time per point and step, s; not a number if no step was taken.

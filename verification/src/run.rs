@@ -124,6 +124,7 @@ fn one(planned: &Planned, key: &str, manifest: &Manifest, progress: &Progress) -
         key: key.to_owned(),
         outcome: findings.outcome,
         rows: findings.rows,
+        profiles: findings.profiles,
         counters: findings.counters,
         seconds: findings.seconds,
         manifest: Manifest { total_seconds, ..manifest.clone() },

@@ -32,6 +32,7 @@ fn record(spec: RunSpec, size: f64, order: f64) -> RunRecord {
         key: String::new(),
         outcome: Outcome::Completed,
         rows: rows.to_vec(),
+        profiles: Vec::new(),
         counters: BTreeMap::from([("n_point_updates".to_owned(), 1_000_000)]),
         seconds: 0.5,
         manifest: Manifest::gather(1, 1),
@@ -180,6 +181,7 @@ impl Case for Fragile {
                 value: if sound { 0.25 } else { f64::NAN },
                 scale: f64::NAN,
             }],
+            profiles: Vec::new(),
             counters: BTreeMap::new(),
             seconds: 0.0,
         }

@@ -183,6 +183,7 @@ impl Case for Operators {
         Findings {
             outcome: Outcome::Completed,
             rows,
+            profiles: Vec::new(),
             counters: BTreeMap::from([
                 ("n_samples".to_owned(), smooth.len() as u64),
                 ("n_singular_fallbacks".to_owned(), n_fallbacks),

@@ -40,6 +40,8 @@ pub enum Content {
     Figure(Figure),
     /// Written as CSV and Markdown to `tables/`.
     Table(Table),
+    /// Written as CSV to `profiles/`: sampled curves side by side, too long for a page.
+    Profiles(Table),
 }
 
 /// A figure or table of a case.
@@ -142,6 +144,10 @@ fn write_artifact(folder: &Path, artifact: &Artifact) -> Result<()> {
             let svg = plot::svg(figure)?;
             write_whole(&path.with_extension("svg"), svg.as_bytes())?;
             write_whole(&path.with_extension("png"), &raster::png(&svg)?)
+        }
+        Content::Profiles(table) => {
+            let path = folder.join("profiles").join(&artifact.stem);
+            write_whole(&path.with_extension("csv"), &table.csv()?)
         }
         Content::Table(table) => {
             let path = folder.join("tables").join(&artifact.stem);

@@ -55,6 +55,7 @@ fn embed(artifact: &Artifact) -> String {
         Content::Figure(_) => {
             format!("![{}](figures/{stem}.svg)\n\n[PNG](figures/{stem}.png)\n", artifact.title)
         }
+        Content::Profiles(_) => format!("[CSV](profiles/{stem}.csv)\n"),
         Content::Table(table) => {
             format!("{}\n[CSV](tables/{stem}.csv)\n", table.markdown())
         }

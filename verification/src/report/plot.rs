@@ -16,6 +16,35 @@ pub struct Curve {
     pub style: usize,
     /// Values; one that is not finite is a gap.
     pub points: Vec<(f64, f64)>,
+    /// How the values are shown.
+    pub look: Look,
+}
+
+/// How the values of a curve are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// A line with a marker at every value.
+    Marked,
+    /// A line with about this many markers along it, staggered between curves.
+    Sparse(usize),
+    /// A line alone, for what is exact.
+    Line,
+    /// Markers alone, for what was measured elsewhere.
+    Dots,
+}
+
+impl Look {
+    /// Whether value `index` of `count` gets a marker on the curve of a style.
+    fn marks(self, index: usize, count: usize, style: usize) -> bool {
+        match self {
+            Self::Marked | Self::Dots => true,
+            Self::Line => false,
+            Self::Sparse(markers) => {
+                let stride = (count / markers.max(1)).max(1);
+                index % stride == (style * stride / 9 + stride / 2) % stride
+            }
+        }
+    }
 }
 
 /// One pair of axes with curves and a legend on its right.
@@ -175,11 +204,17 @@ fn draw_curve(canvas: &Canvas<'_>, curve: &Curve, x: &Ruler, y: &Ruler) -> Resul
         .collect();
     for piece in places.split(Option::is_none) {
         let piece: Vec<_> = piece.iter().copied().flatten().collect();
-        if piece.len() > 1 {
+        if piece.len() > 1 && curve.look != Look::Dots {
             style::line(canvas, piece, style::stroke(curve.style))?;
         }
     }
-    places.into_iter().flatten().try_for_each(|place| style::marker(canvas, curve.style, place))
+    let count = places.len();
+    places
+        .into_iter()
+        .enumerate()
+        .filter(|&(index, _)| curve.look.marks(index, count, curve.style))
+        .filter_map(|(_, place)| place)
+        .try_for_each(|place| style::marker(canvas, curve.style, place))
 }
 
 /// Right triangles, side by side in the free strip at the lower right.
@@ -206,8 +241,12 @@ fn draw_legend(canvas: &Canvas<'_>, panel: &Panel, frame: &Frame) -> Result<()> 
     style::text(canvas, &panel.legend, (left, y), SMALL, Anchor::Start)?;
     for curve in &panel.curves {
         y += 36;
-        style::line(canvas, vec![(left, y), (left + 44, y)], style::stroke(curve.style))?;
-        style::marker(canvas, curve.style, (left + 22, y))?;
+        if curve.look != Look::Dots {
+            style::line(canvas, vec![(left, y), (left + 44, y)], style::stroke(curve.style))?;
+        }
+        if curve.look != Look::Line {
+            style::marker(canvas, curve.style, (left + 22, y))?;
+        }
         style::text(canvas, &curve.label, (left + 56, y), SMALL, Anchor::Start)?;
     }
     Ok(())

@@ -7,7 +7,7 @@ use crate::judge::Check;
 use crate::number;
 use crate::record::RunRecord;
 use crate::report::axis::Axis;
-use crate::report::plot::{Curve, Figure, Panel};
+use crate::report::plot::{Curve, Figure, Look, Panel};
 use crate::report::table::{Cell, Table};
 use crate::report::{Area, Artifact, Content};
 
@@ -175,7 +175,7 @@ fn figure(all: &[Series], title: &str, rows: &[(&Family, &str)]) -> Figure {
                 let order = number::order(series.order().order);
                 let name = operator.replace("bspline", "bs").replace("div-", "");
                 let label = format!("{} ({order})", name.replace("vertex-mean", "vertex"));
-                Some(Curve { label, style, points: series.points.clone() })
+                Some(Curve { label, style, points: series.points.clone(), look: Look::Marked })
             });
             panels.push(Panel {
                 title: format!("{quantity}, {region}"),

@@ -9,7 +9,7 @@ use crate::judge::Check;
 use crate::number;
 use crate::record::RunRecord;
 use crate::report::axis::Axis;
-use crate::report::plot::{Curve, Figure, Panel};
+use crate::report::plot::{Curve, Figure, Look, Panel};
 use crate::report::table::{Cell, Table};
 use crate::report::{Area, Artifact, Content};
 
@@ -164,6 +164,7 @@ fn convergence_figure(all: &[Series], quantity: &str, title: &str) -> Figure {
                     label: format!("{} ({})", series.variant, number::order(series.order().order)),
                     style: style(&series.variant),
                     points: series.points.clone(),
+                    look: Look::Marked,
                 })
                 .collect();
             let measure = if norm == "point-l2" { "at points" } else { "at cell centres" };
@@ -248,7 +249,12 @@ fn speed_figure(records: &[RunRecord]) -> Figure {
                 .map(|(record, row)| (record.seconds, row.value / row.scale))
                 .collect();
             if !points.is_empty() {
-                curves.push(Curve { label: variant.to_owned(), style: style(variant), points });
+                curves.push(Curve {
+                    label: variant.to_owned(),
+                    style: style(variant),
+                    points,
+                    look: Look::Marked,
+                });
             }
         }
         panels.push(Panel {

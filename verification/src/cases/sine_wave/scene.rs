@@ -72,7 +72,7 @@ impl Run<'_> {
         } else {
             missing_rows(self.instant)
         };
-        Findings { outcome, rows, counters, seconds }
+        Findings { outcome, rows, profiles: Vec::new(), counters, seconds }
     }
 
     fn step<const D: usize>(&self, simulation: &mut dyn Simulation<D>) -> Outcome {

@@ -8,7 +8,7 @@ use crate::judge::Check;
 use crate::number::scientific;
 use crate::record::RunRecord;
 use crate::report::axis::Axis;
-use crate::report::plot::{Curve, Figure, Panel};
+use crate::report::plot::{Curve, Figure, Look, Panel};
 use crate::report::table::{Cell, Table};
 use crate::report::{Area, Artifact, Content};
 
@@ -217,5 +217,6 @@ fn curve(record: &RunRecord, of_settings: bool, index: usize) -> Curve {
         style: if of_settings { index } else { style.unwrap_or(0) },
         // A missing value is a gap; the maximum above would hide it.
         points: points.filter(|&(courant, _)| !growth(record, courant).is_nan()).collect(),
+        look: Look::Marked,
     }
 }
