@@ -66,7 +66,8 @@ impl IdealGasRiemann {
     /// # Errors
     ///
     /// If a density or pressure is not positive and finite, if a velocity is not finite, if γ is
-    /// not above 1, or if the sides part so fast that a vacuum opens, Eq. (4.40) of \[Toro2009\].
+    /// not above 1, or if the sides part so fast that a vacuum opens: at
+    /// u_R − u_L ≥ 2(a_L + a_R)/(γ − 1), \[Toro2009\], Chapter 4.
     pub fn new(left: State, right: State, ratio: f64) -> Result<Self> {
         for (side, state) in [("left", left), ("right", right)] {
             for (name, value) in [("density", state.density), ("pressure", state.pressure)] {
@@ -162,7 +163,7 @@ impl Gas {
         (self.ratio * state.pressure / state.density).sqrt()
     }
 
-    /// f_K(p*) and its derivative: change of velocity over the wave, Eqs. (4.6), (4.7) and (4.37).
+    /// f_K(p*) and its derivative: change of velocity over the wave.
     fn change(self, outer: State, pressure: f64) -> (f64, f64) {
         let g = self.ratio;
         if pressure > outer.pressure {
@@ -219,7 +220,7 @@ impl Gas {
         Some(pressure)
     }
 
-    /// Density behind the wave, Eqs. (4.50) and (4.53), kg/m³.
+    /// Density behind the wave, kg/m³: Hugoniot curve or isentrope.
     fn star_density(self, outer: State, pressure: f64) -> f64 {
         let strength = pressure / outer.pressure;
         if strength > 1.0 {
@@ -242,7 +243,7 @@ impl Gas {
         }
     }
 
-    /// The state on a ray right of the contact; inside a fan Eq. (4.63).
+    /// The state on a ray right of the contact; in a fan u + a = x/t and u − 2a/(γ−1) is constant.
     fn sample(self, outer: State, star: State, ray: f64) -> State {
         let (g, a) = (self.ratio, self.sound_speed(outer));
         match self.wave(outer, star) {

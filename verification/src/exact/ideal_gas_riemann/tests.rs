@@ -10,7 +10,7 @@ fn solve(left: State, right: State) -> IdealGasRiemann {
     IdealGasRiemann::new(left, right, RATIO).unwrap()
 }
 
-/// The five problems of \[Toro2009\], Table 4.1, then weak waves, and strong ones.
+/// The five problems of \[Toro2009\], Chapter 4, then weak waves, and strong ones.
 fn problems() -> Vec<IdealGasRiemann> {
     let collision = [state(5.99924, 19.5975, 460.894), state(5.99242, -6.19633, 46.0950)];
     [
@@ -27,7 +27,7 @@ fn problems() -> Vec<IdealGasRiemann> {
     .to_vec()
 }
 
-/// p*, u*, ρ*_L, ρ*_R of \[Toro2009\], Table 4.2.
+/// p*, u*, ρ*_L, ρ*_R as printed for the five tests in \[Toro2009\], Chapter 4.
 const PUBLISHED: [[f64; 4]; 5] = [
     [0.303_13, 0.927_45, 0.426_32, 0.265_57],
     [0.001_89, 0.0, 0.021_85, 0.021_85],
