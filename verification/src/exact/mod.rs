@@ -1,4 +1,13 @@
 //! Closed forms that runs are measured against.
 
+pub mod acoustic;
+pub mod acoustic_radial;
+pub mod elastic_bar;
+pub mod ideal_gas_riemann;
+pub mod isothermal_riemann;
+pub mod linear_riemann;
+mod quadrature;
+pub mod riemann;
+pub mod shear;
 pub mod sine_wave;
 pub mod smooth_field;

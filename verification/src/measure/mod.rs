@@ -2,4 +2,5 @@
 
 pub mod cell_centers;
 pub mod norms;
+pub mod profile;
 pub mod spectral;
