@@ -155,13 +155,15 @@ fn bulk_viscosity_is_that_of_compression() {
     near("expansion with both", q(both, 2.0), -linear, 1e-9).unwrap();
 }
 
-/// Small steps turn the stress with the point: s = R s₀ Rᵀ to first order in the angle.
+/// Small steps turn the stress with the point: s = R s₀ Rᵀ to first order in the angle. The solid that
+/// turns is soft, for its stress sets the nodes in motion.
 #[test]
 fn elastic_stress_turns_and_strains() {
     let material =
         General { deviatoric: Some(Deviatoric::Elastic { shear_modulus: 7e4 }), ..NOTHING };
     let angle = 1e-4;
-    let turned = lone([[0.0, -1.0], [1.0, 0.0]], material, [[50.0, 20.0], [20.0, -50.0]], angle);
+    let soft = General { deviatoric: Some(Deviatoric::Elastic { shear_modulus: 1.0 }), ..NOTHING };
+    let turned = lone([[0.0, -1.0], [1.0, 0.0]], soft, [[50.0, 20.0], [20.0, -50.0]], angle);
     let exact =
         [50.0 - 40.0 * angle, 20.0 + 100.0 * angle, 20.0 + 100.0 * angle, -50.0 + 40.0 * angle];
     for (found, exact) in turned[1..].iter().zip(exact) {
@@ -184,7 +186,7 @@ fn minimum_pressure_raises_the_density_with_it() {
         point.velocity = [6.0 * (point.position[0] - 0.5), 6.0 * (point.position[1] - 0.5)];
     }
     let lowest = |scene: &Scene<2>| {
-        let simulation = run(scene, Variant::Bspline2, &Settings::default(), (20, DT));
+        let simulation = run(scene, Variant::Bspline2, &Settings::default(), (6, DT));
         let points = simulation.observe().points;
         let least = points.iter().map(|p| p.pressure).fold(f64::MAX, f64::min);
         (least, simulation.counters().n_pressure_cutoffs)
