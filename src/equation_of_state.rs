@@ -150,3 +150,87 @@ fn check_liquid(reference_density: f64, sound_speed: f64) -> Result<(), InvalidI
     check("reference_density", reference_density, density_holds, "a positive number in kg/m³")?;
     check("sound_speed", sound_speed, sound_speed > 0.0, "a positive number in m/s")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WATER: [EquationOfStateSpec; 2] = [
+        EquationOfStateSpec::WeaklyCompressible { reference_density: 1000.0, sound_speed: 50.0 },
+        EquationOfStateSpec::Tait { reference_density: 1000.0, sound_speed: 50.0, exponent: 7.0 },
+    ];
+    const GASES: [EquationOfStateSpec; 2] = [
+        EquationOfStateSpec::IdealGas { ratio: 1.4 },
+        EquationOfStateSpec::StiffenedGas { ratio: 4.4, stiffness: 6e3 },
+    ];
+
+    fn law(spec: &EquationOfStateSpec) -> EquationOfState<f64> {
+        EquationOfState::new(spec).unwrap()
+    }
+
+    #[track_caller]
+    fn assert_near(found: f64, exact: f64, bound: f64) {
+        assert!((found - exact).abs() <= bound, "{found} is not {exact}");
+    }
+
+    #[test]
+    fn density_is_the_inverse_of_pressure() {
+        for spec in WATER.iter().chain(&GASES) {
+            for (density, energy) in [(900.0, 20.0), (1000.0, 25.0), (1100.0, 30.0)] {
+                let pressure = law(spec).pressure(density, energy);
+                assert_near(law(spec).density(pressure, energy), density, 1e-9);
+            }
+        }
+    }
+
+    /// c² = ∂p/∂ρ + (p/ρ²) ∂p/∂e, the slope along an adiabat.
+    #[test]
+    fn sound_speed_is_the_adiabatic_slope() {
+        for spec in WATER.iter().chain(&GASES) {
+            let law = law(spec);
+            let (density, energy) = (1020.0, 23.0);
+            let (d, e) = (1e-3, 1e-5);
+            let along_density =
+                (law.pressure(density + d, energy) - law.pressure(density - d, energy)) / (2.0 * d);
+            let along_energy =
+                (law.pressure(density, energy + e) - law.pressure(density, energy - e)) / (2.0 * e);
+            let pressure = law.pressure(density, energy);
+            let squared = along_density + pressure / (density * density) * along_energy;
+            let found = law.sound_speed(density, energy);
+            assert_near(found * found / squared, 1.0, 1e-7);
+        }
+    }
+
+    #[test]
+    fn laws_of_water_agree_at_rest() {
+        for spec in &WATER {
+            assert_eq!(law(spec).pressure(1000.0, 0.0), 0.0);
+            assert_near(law(spec).sound_speed(1000.0, 0.0), 50.0, 1e-12);
+            assert!(!law(spec).uses_energy());
+        }
+        assert_near(law(&WATER[1]).pressure(1010.0, 0.0), 25_762.6, 0.1);
+        assert!(GASES.iter().all(|spec| law(spec).uses_energy()));
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        use EquationOfStateSpec::{IdealGas, StiffenedGas, Tait};
+        let tait = |exponent| Tait { reference_density: 1.0, sound_speed: 1.0, exponent };
+        for (spec, field) in [
+            (tait(0.5), "exponent"),
+            (tait(f64::NAN), "exponent"),
+            (IdealGas { ratio: 1.0 }, "ratio"),
+            (StiffenedGas { ratio: 2.0, stiffness: -1.0 }, "stiffness"),
+            (
+                EquationOfStateSpec::WeaklyCompressible {
+                    reference_density: 0.0,
+                    sound_speed: 1.0,
+                },
+                "reference_density",
+            ),
+        ] {
+            let error = EquationOfState::<f64>::new(&spec).unwrap_err();
+            assert_eq!(error.field, format!("equation_of_state.{field}"));
+        }
+    }
+}

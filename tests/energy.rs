@@ -2,8 +2,9 @@
 
 mod common;
 
+use common::gas::{ENERGY, RATIO, gas};
 use common::near;
-use common::parts::{DT, block, setup};
+use common::parts::{DT, setup};
 use common::phases::scheme;
 use common::scenes::{Block, Build, DENSITY, run};
 use proptest::prelude::*;
@@ -15,21 +16,6 @@ use transpoint::shape::QuadraticBspline;
 use transpoint::transfer::Apic;
 use transpoint::variants::{Blend, BulkViscosity, EnergyUpdate, StressUpdate};
 use transpoint::{Scene, Settings, Solver, Variant};
-
-/// Specific internal energy with which the gas has about the speed of sound of the other blocks, J/kg.
-const ENERGY: f64 = 180.0;
-const RATIO: f64 = 1.4;
-
-/// A disordered block of gas.
-fn gas<const D: usize>(at: (u64, bool)) -> Scene<D> {
-    let mut scene = block::<D>(at).scene();
-    scene.equation_of_state = EquationOfStateSpec::IdealGas { ratio: RATIO };
-    scene.energy = true;
-    for (k, point) in scene.points.iter_mut().enumerate() {
-        point.energy = ENERGY * (1.0 + 0.2 * (0.7 * k as f64).sin());
-    }
-    scene
-}
 
 /// Largest relative change of the total energy over some steps.
 fn drift<const D: usize>(scene: &Scene<D>, variant: Variant, settings: &Settings) -> f64

@@ -4,6 +4,7 @@
 
 pub mod checks;
 pub mod clouds;
+pub mod gas;
 pub mod parts;
 pub mod phases;
 pub mod scenes;

@@ -11,20 +11,21 @@ use common::checks::{
     transfer_keeps_totals, velocities_stay_without_force,
 };
 use common::clouds::{CloudData, reproduces};
+use common::gas::energy_is_kept;
 use common::parts::{DT, FLIP, block, mls};
 use common::phases::scheme;
 use common::scenes::Block;
 use transpoint::formulation::PointDivergence;
-use transpoint::material::Deviatoric;
+use transpoint::material::{Deviatoric, General};
 use transpoint::quadrature::{Mixed, Particle};
 use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, Scene};
 use transpoint::shape::{Linear, QuadraticBspline};
 use transpoint::transfer::{Apic, Transfer};
-use transpoint::variants::PointVolume;
+use transpoint::variants::{BulkViscosity, EnergyUpdate, PointVolume};
 use wrong::{
-    ALL_FULL, Affine, Antiviscous, DOUBLE, DroppedTerms, FLIPPED, LOPSIDED, NO_WALLS, Overshoot,
-    STEEP, Spline, TRANSPOSED, Tilted, UNSCALED, Wrong,
+    ALL_FULL, Affine, Antiviscous, DOUBLE, DroppedTerms, FLIPPED, Heatless, LOPSIDED, NO_WALLS,
+    Overshoot, STEEP, Spline, TRANSPOSED, Tilted, UNSCALED, Wrong,
 };
 
 /// The real part must pass and the mutant must not.
@@ -154,6 +155,17 @@ fn stress_of_the_wrong_sign_is_flagged() {
             shear_wave_decays(method, Antiviscous),
         ],
     );
+}
+
+#[test]
+fn lost_heat_of_the_transfer_is_flagged() {
+    let real = General {
+        deviatoric: None,
+        energy: Some(EnergyUpdate::Work),
+        bulk_viscosity: Some(BulkViscosity { linear: 0.2, quadratic: 1.5, expansion: false }),
+        cell_size: 0.1,
+    };
+    flags("lost heat", [energy_is_kept(real), energy_is_kept(Heatless(real))]);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use transpoint::basis::{self, Fit};
 use transpoint::cells::CellKind;
 use transpoint::equation_of_state::EquationOfState;
-use transpoint::material::{Deviatoric, Material, Strain};
+use transpoint::material::{Deviatoric, General, GeneralState, Material, Strain, Work};
 use transpoint::math::{Field, Tensor};
 use transpoint::quadrature::{PointVolumes, Quadrature, Samples};
 use transpoint::reconstruction::{Cloud, MovingLeastSquares, Reconstruction};
@@ -181,6 +181,49 @@ impl Material<f64, 2> for Antiviscous {
 
     fn viscosity(&self, _sound_speed: f64) -> f64 {
         0.2
+    }
+}
+
+/// A gas that forgets the kinetic energy which the transfer takes from its points.
+#[derive(Clone, Copy)]
+pub struct Heatless(pub General<f64>);
+
+impl Material<f64, 2> for Heatless {
+    type State = GeneralState<f64, 2>;
+    const PRESENT: bool = true;
+
+    fn initial(&self, energy: f64) -> Self::State {
+        Material::<f64, 2>::initial(&self.0, energy)
+    }
+
+    fn update(
+        &self,
+        law: &EquationOfState<f64>,
+        state: &Self::State,
+        strain: &Strain<f64, 2>,
+    ) -> Self::State {
+        let work = strain.work.map(|work| Work { heat: 0.0, ..work });
+        self.0.update(law, state, &Strain { work, ..*strain })
+    }
+
+    fn times(state: &Self::State, gradient: [f64; 2]) -> [f64; 2] {
+        <General<f64> as Material<f64, 2>>::times(state, gradient)
+    }
+
+    fn energy(state: &Self::State) -> f64 {
+        state.energy
+    }
+
+    fn viscous_pressure(state: &Self::State) -> f64 {
+        state.viscous_pressure
+    }
+
+    fn wants_work(&self) -> bool {
+        true
+    }
+
+    fn viscosity(&self, sound_speed: f64) -> f64 {
+        Material::<f64, 2>::viscosity(&self.0, sound_speed)
     }
 }
 
