@@ -4,8 +4,9 @@ use std::marker::PhantomData;
 
 use super::{Cloud, Neighborhood, Reconstruction};
 use crate::Scalar;
-use crate::basis::{BasisValues, Fit, MomentSystem, PolynomialBasis};
-use crate::math::Field;
+use crate::basis::{Fit, MomentSystem, PolynomialBasis};
+use crate::math::{Field, MAX_COMPONENTS};
+use crate::simd::{Simd, SimdBase as _, load, splat};
 
 /// Moving least squares, \[LancasterSalkauskas1981\], with a product of cubic splines as weight.
 ///
@@ -44,36 +45,134 @@ pub fn weight<T: Scalar>(r: T) -> T {
     T::lit(4.0 / 3.0) * (outer * outer * outer - T::lit(4.0) * (inner * inner * inner))
 }
 
-impl<B, T: Scalar> MovingLeastSquares<B, T> {
+/// [`weight`] of four points at a time.
+#[inline(always)]
+fn weights<T: Scalar, S: Simd>(simd: S, r: T::Four<S>) -> T::Four<S> {
+    let zero = splat(simd, T::zero());
+    let distance = r.abs();
+    let outer = (splat(simd, T::one()) - distance).max(zero);
+    let inner = (splat(simd, T::lit(0.5)) - distance).max(zero);
+    let cubes = outer * outer * outer - splat(simd, T::lit(4.0)) * (inner * inner * inner);
+    splat(simd, T::lit(4.0 / 3.0)) * cubes
+}
+
+/// Four points side by side: positions, m, and the components of a field.
+struct Quad<V, const D: usize> {
+    position: [V; D],
+    components: [V; MAX_COMPONENTS],
+}
+
+impl<V, const D: usize> Quad<V, D> {
+    /// Takes the points with four numbers.
     #[inline(always)]
-    fn fit<F: Field<T>, const D: usize>(
+    fn gather<T, S, F>(
+        simd: S,
+        position: &[[T; D]],
+        field: &impl Fn(usize) -> F,
+        number: impl Fn(usize) -> usize,
+    ) -> Self
+    where
+        T: Scalar<Four<S> = V>,
+        S: Simd,
+        V: Copy,
+        F: Field<T>,
+    {
+        let zero = T::zero();
+        let mut at = [[zero; 4]; D];
+        let mut values = [[zero; 4]; MAX_COMPONENTS];
+        for lane in 0..4 {
+            let point = number(lane);
+            for axis in 0..D {
+                at[axis][lane] = position[point][axis];
+            }
+            let mut components = [zero; MAX_COMPONENTS];
+            field(point).write(&mut components[..F::COMPONENTS]);
+            for k in 0..F::COMPONENTS {
+                values[k][lane] = components[k];
+            }
+        }
+        let none = splat(simd, zero);
+        let mut quad = Self { position: [none; D], components: [none; MAX_COMPONENTS] };
+        for axis in 0..D {
+            quad.position[axis] = load(simd, &at[axis]);
+        }
+        for k in 0..F::COMPONENTS {
+            quad.components[k] = load(simd, &values[k]);
+        }
+        quad
+    }
+}
+
+impl<B, T: Scalar> MovingLeastSquares<B, T> {
+    /// Four points of a run at a time; the last four are filled up with points of no weight.
+    #[inline(always)]
+    fn fit<S: Simd, F: Field<T>, const D: usize>(
         &self,
+        simd: S,
         cloud: &Cloud<'_, T, D>,
         target: [T; D],
-        own: impl Fn([T; D]) -> T,
+        own: impl Fn([T::Four<S>; D]) -> T::Four<S>,
         field: impl Fn(usize) -> F,
     ) -> Fit<F>
     where
         B: PolynomialBasis<T, D>,
     {
-        let mut system = <B::Values as BasisValues<T>>::System::<F>::empty();
+        const { assert!(F::COMPONENTS <= MAX_COMPONENTS, "a field with too many components") };
+        let mut system = B::System::<S>::empty(simd);
+        let one = splat(simd, T::one());
         let per_support = T::one() / self.support;
-        let limits = self.positivity.is_some();
+        let (mut origin, mut scale) = ([one; D], [one; D]);
+        for axis in 0..D {
+            origin[axis] = splat(simd, cloud.grid.origin[axis]);
+            scale[axis] = splat(simd, cloud.grid.inverse_spacing[axis] * per_support);
+        }
         let neighborhood = Neighborhood::around(cloud.grid, target, self.support);
-        cloud.visit(
+        cloud.visit_runs(
             neighborhood,
             target,
             #[inline(always)]
-            |point, offset| {
-                let mut scaled = offset;
-                let mut phi = T::one();
-                for axis in 0..D {
-                    scaled[axis] *= per_support;
-                    phi *= weight(scaled[axis]);
-                }
-                if phi > T::zero() {
-                    let own = if limits { own(offset) } else { T::zero() };
-                    system.add(phi, &B::values(scaled), own, field(point));
+            |run, base| {
+                let mut first = run.start;
+                while first < run.end {
+                    let left = run.end - first;
+                    let quad = if left >= 4 {
+                        Quad::gather(
+                            simd,
+                            cloud.position,
+                            &field,
+                            #[inline(always)]
+                            |lane| first + lane,
+                        )
+                    } else {
+                        Quad::gather(
+                            simd,
+                            cloud.position,
+                            &field,
+                            #[inline(always)]
+                            |lane| (first + lane).min(run.end - 1),
+                        )
+                    };
+                    let mut offset = quad.position;
+                    let mut phi = one;
+                    for axis in 0..D {
+                        let base = splat(simd, base[axis] * per_support);
+                        offset[axis] = (offset[axis] - origin[axis]) * scale[axis] + base;
+                        phi *= weights::<T, S>(simd, offset[axis]);
+                    }
+                    if left < 4 {
+                        let mut within = [T::zero(); 4];
+                        within[..left].fill(T::one());
+                        phi *= load(simd, &within);
+                    }
+                    let values = B::values(one, offset);
+                    system.add(phi, &values, &quad.components[..F::COMPONENTS]);
+                    if self.positivity.is_some() {
+                        for axis in 0..D {
+                            offset[axis] *= splat(simd, self.support);
+                        }
+                        system.add_own(phi, &values, own(offset));
+                    }
+                    first += 4;
                 }
             },
         );
@@ -95,31 +194,58 @@ where
 
     /// Own points are those of the cell.
     #[inline(always)]
-    fn at_center<F: Field<T>>(
+    fn fit_center<S: Simd, F: Field<T>>(
         &self,
+        simd: S,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        let half = T::lit(0.5);
-        let target = cell.map(|c| T::lit(c as f64 + 0.5));
-        let own = |offset: [T; D]| {
-            if offset.iter().all(|x| x.abs() <= half) { T::one() } else { T::zero() }
-        };
-        self.fit(cloud, target, own, field)
+        let target = cell.map(|c| T::from_index(c) + T::lit(0.5));
+        self.fit(
+            simd,
+            cloud,
+            target,
+            #[inline(always)]
+            |offset| {
+                let mut own = [T::one(); 4];
+                for distance in offset {
+                    let distance = distance.abs().to_array();
+                    for lane in 0..4 {
+                        if !(distance[lane] <= T::lit(0.5)) {
+                            own[lane] = T::zero();
+                        }
+                    }
+                }
+                load(simd, &own)
+            },
+            field,
+        )
     }
 
     /// Points belong to a node by their hat weight.
     #[inline(always)]
-    fn at_node<F: Field<T>>(
+    fn fit_node<S: Simd, F: Field<T>>(
         &self,
+        simd: S,
         cloud: &Cloud<'_, T, D>,
         node: [T; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        let own = |offset: [T; D]| {
-            offset.iter().fold(T::one(), |hat, x| hat * (T::one() - x.abs()).max(T::zero()))
-        };
-        self.fit(cloud, node, own, field)
+        let (zero, one) = (splat(simd, T::zero()), splat(simd, T::one()));
+        self.fit(
+            simd,
+            cloud,
+            node,
+            #[inline(always)]
+            |offset| {
+                let mut hat = one;
+                for distance in offset {
+                    hat *= (one - distance.abs()).max(zero);
+                }
+                hat
+            },
+            field,
+        )
     }
 }
