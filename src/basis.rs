@@ -179,10 +179,10 @@ impl<T: Scalar, S: Simd, const M: usize> MomentSystem<T, S> for Moments<T, S, M>
             return Fit::Constant(self.combine(&constant));
         };
         let limited = positivity.is_some_and(|theta| {
-            let own = self.own.map(
-                #[inline(always)]
-                |sum| sum.reduce_sum(),
-            );
+            let mut own = [T::zero(); M];
+            for i in 0..M {
+                own[i] = self.own[i].reduce_sum();
+            }
             limit_own_weight(&mut coefficients, &own, total, theta)
         });
         let value = self.combine(&coefficients);
@@ -231,11 +231,39 @@ fn limit_own_weight<T: Scalar, const M: usize>(
     true
 }
 
-/// First column of the inverse of a symmetric matrix given by its lower triangle (LDLᵀ).
+/// First column of the inverse of a symmetric matrix given by its lower triangle.
 ///
 /// `None` when a pivot falls below [`SINGULAR_PIVOT`] times the total weight (first entry).
 #[inline(always)]
 fn first_column_of_inverse<T: Scalar, const M: usize>(matrix: &[[T; M]; M]) -> Option<[T; M]> {
+    if M == 3 { by_cofactors(matrix) } else { by_elimination(matrix) }
+}
+
+/// Three by three: the last two pivots at once, since a chain of divisions takes longest.
+#[inline(always)]
+fn by_cofactors<T: Scalar, const M: usize>(a: &[[T; M]; M]) -> Option<[T; M]> {
+    let total = a[0][0];
+    let per_total = T::one() / total;
+    let mean = [a[1][0] * per_total, a[2][0] * per_total];
+    let xx = a[1][1] - mean[0] * a[1][0];
+    let xy = a[2][1] - mean[0] * a[2][0];
+    let yy = a[2][2] - mean[1] * a[2][0];
+    let determinant = xx * yy - xy * xy;
+    let smallest = T::lit(SINGULAR_PIVOT) * total;
+    if !(xx > smallest && determinant > smallest * xx) {
+        return None;
+    }
+    let inverse = T::one() / determinant;
+    let mut x = [T::zero(); M];
+    x[1] = (mean[1] * xy - mean[0] * yy) * inverse;
+    x[2] = (mean[0] * xy - mean[1] * xx) * inverse;
+    x[0] = per_total - mean[0] * x[1] - mean[1] * x[2];
+    Some(x)
+}
+
+/// By elimination (LDLᵀ).
+#[inline(always)]
+fn by_elimination<T: Scalar, const M: usize>(matrix: &[[T; M]; M]) -> Option<[T; M]> {
     let mut factor = *matrix;
     let smallest = T::lit(SINGULAR_PIVOT) * matrix[0][0];
     let mut inverse_pivot = [T::zero(); M];

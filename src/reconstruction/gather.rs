@@ -70,7 +70,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
             target,
             #[inline(always)]
             |run, base| {
-                for point in run {
+                for point in run.start as usize..run.end as usize {
                     let position = self.position[point];
                     let mut offset = base;
                     for axis in 0..D {
@@ -92,7 +92,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
         &self,
         neighborhood: Neighborhood<D>,
         target: [T; D],
-        mut visit: impl FnMut(Range<usize>, [T; D]),
+        mut visit: impl FnMut(Range<u32>, [T; D]),
     ) {
         let Neighborhood { first, end } = neighborhood;
         if (0..D).any(|axis| first[axis] >= end[axis]) {
@@ -123,7 +123,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
         at: [i32; D],
         end: i32,
         target: [T; D],
-        visit: &mut impl FnMut(Range<usize>, [T; D]),
+        visit: &mut impl FnMut(Range<u32>, [T; D]),
     ) {
         let mut row = 0;
         let mut base = [T::zero(); D];
@@ -160,11 +160,11 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
 
     /// The points of cells with consecutive numbers, which are stored in the order of cells.
     #[inline(always)]
-    fn points_of(&self, cells: Range<usize>) -> Option<Range<usize>> {
+    fn points_of(&self, cells: Range<usize>) -> Option<Range<u32>> {
         let slots = &self.cells.slot_of[cells];
         let first = *slots.iter().find(|&&slot| slot != ABSENT)?;
         let last = *slots.iter().rfind(|&&slot| slot != ABSENT)?;
         let starts = &self.cells.first;
-        Some(starts[first as usize] as usize..starts[last as usize + 1] as usize)
+        Some(starts[first as usize]..starts[last as usize + 1])
     }
 }

@@ -6,7 +6,7 @@ mod moving_least_squares;
 
 pub use carried::Carried;
 pub use gather::{Cloud, Neighborhood};
-pub use moving_least_squares::{MovingLeastSquares, weight};
+pub use moving_least_squares::MovingLeastSquares;
 
 use crate::Scalar;
 use crate::basis::Fit;

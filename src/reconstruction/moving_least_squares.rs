@@ -1,6 +1,7 @@
 //! Moving least squares on a square (cubic) support, Eqs. (17)-(20) of \[Song2020\].
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use super::{Cloud, Neighborhood, Reconstruction};
 use crate::Scalar;
@@ -32,28 +33,20 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
     }
 }
 
-/// Cubic spline on [−1, 1], w(0) = 2/3, written with truncated powers so that it has no branch.
+/// Cubic spline on [−1, 1] at four points, written with truncated powers so that it has no branch.
 ///
 /// ```text
-/// w(r) = 4/3 [(1 − |r|)₊³ − 4 (1/2 − |r|)₊³]
+/// w(r) = (1 − |r|)₊³ − 4 (1/2 − |r|)₊³
 /// ```
-#[inline(always)]
-pub fn weight<T: Scalar>(r: T) -> T {
-    let distance = r.abs();
-    let outer = (T::one() - distance).max(T::zero());
-    let inner = (T::lit(0.5) - distance).max(T::zero());
-    T::lit(4.0 / 3.0) * (outer * outer * outer - T::lit(4.0) * (inner * inner * inner))
-}
-
-/// [`weight`] of four points at a time.
+///
+/// This is 3/4 of the spline's usual size; a constant factor cancels in every fit.
 #[inline(always)]
 fn weights<T: Scalar, S: Simd>(simd: S, r: T::Four<S>) -> T::Four<S> {
     let zero = splat(simd, T::zero());
     let distance = r.abs();
     let outer = (splat(simd, T::one()) - distance).max(zero);
     let inner = (splat(simd, T::lit(0.5)) - distance).max(zero);
-    let cubes = outer * outer * outer - splat(simd, T::lit(4.0)) * (inner * inner * inner);
-    splat(simd, T::lit(4.0 / 3.0)) * cubes
+    outer * outer * outer - splat(simd, T::lit(4.0)) * (inner * inner * inner)
 }
 
 /// Four points side by side: positions, m, and the components of a field.
@@ -63,6 +56,40 @@ struct Quad<V, const D: usize> {
 }
 
 impl<V, const D: usize> Quad<V, D> {
+    /// The first four points of a run; where there are fewer, the last one several times.
+    #[inline(always)]
+    fn first_of<T, S, F>(
+        simd: S,
+        position: &[[T; D]],
+        field: &impl Fn(usize) -> F,
+        run: Range<u32>,
+    ) -> Self
+    where
+        T: Scalar<Four<S> = V>,
+        S: Simd,
+        V: Copy,
+        F: Field<T>,
+    {
+        let (first, last) = (run.start as usize, run.end as usize - 1);
+        if run.len() >= 4 {
+            Self::gather(
+                simd,
+                position,
+                field,
+                #[inline(always)]
+                |lane| first + lane,
+            )
+        } else {
+            Self::gather(
+                simd,
+                position,
+                field,
+                #[inline(always)]
+                |lane| (first + lane).min(last),
+            )
+        }
+    }
+
     /// Takes the points with four numbers.
     #[inline(always)]
     fn gather<T, S, F>(
@@ -80,7 +107,8 @@ impl<V, const D: usize> Quad<V, D> {
         let zero = T::zero();
         let mut at = [[zero; 4]; D];
         let mut values = [[zero; 4]; MAX_COMPONENTS];
-        for lane in 0..4 {
+        // The last one first: one check of its bounds then covers all four.
+        for lane in (0..4).rev() {
             let point = number(lane);
             for axis in 0..D {
                 at[axis][lane] = position[point][axis];
@@ -104,7 +132,6 @@ impl<V, const D: usize> Quad<V, D> {
 }
 
 impl<B, T: Scalar> MovingLeastSquares<B, T> {
-    /// Four points of a run at a time; the last four are filled up with points of no weight.
     #[inline(always)]
     fn fit<S: Simd, F: Field<T>, const D: usize>(
         &self,
@@ -117,56 +144,66 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
     where
         B: PolynomialBasis<T, D>,
     {
-        const { assert!(F::COMPONENTS <= MAX_COMPONENTS, "a field with too many components") };
         let mut system = B::System::<S>::empty(simd);
+        if self.positivity.is_none() {
+            self.add_points::<S, F, D, false>(simd, cloud, target, own, field, &mut system);
+        } else {
+            self.add_points::<S, F, D, true>(simd, cloud, target, own, field, &mut system);
+        }
+        system.solve(self.positivity)
+    }
+
+    /// Four points of a run at a time; the last four are filled up with points of no weight.
+    #[inline(always)]
+    fn add_points<S: Simd, F: Field<T>, const D: usize, const LIMITS: bool>(
+        &self,
+        simd: S,
+        cloud: &Cloud<'_, T, D>,
+        target: [T; D],
+        own: impl Fn([T::Four<S>; D]) -> T::Four<S>,
+        field: impl Fn(usize) -> F,
+        system: &mut B::System<S>,
+    ) where
+        B: PolynomialBasis<T, D>,
+    {
+        const { assert!(F::COMPONENTS <= MAX_COMPONENTS, "a field with too many components") };
         let one = splat(simd, T::one());
         let per_support = T::one() / self.support;
-        let (mut origin, mut scale) = ([one; D], [one; D]);
-        for axis in 0..D {
-            origin[axis] = splat(simd, cloud.grid.origin[axis]);
-            scale[axis] = splat(simd, cloud.grid.inverse_spacing[axis] * per_support);
-        }
+        let scale: [T; D] = std::array::from_fn(
+            #[inline(always)]
+            |axis| cloud.grid.inverse_spacing[axis] * per_support,
+        );
         let neighborhood = Neighborhood::around(cloud.grid, target, self.support);
         cloud.visit_runs(
             neighborhood,
             target,
             #[inline(always)]
             |run, base| {
+                // One product and one sum per coordinate: origin and target are taken together.
+                let mut shift = [one; D];
+                for axis in 0..D {
+                    let corner = cloud.grid.origin[axis] * scale[axis];
+                    shift[axis] = splat(simd, base[axis] * per_support - corner);
+                }
                 let mut first = run.start;
                 while first < run.end {
                     let left = run.end - first;
-                    let quad = if left >= 4 {
-                        Quad::gather(
-                            simd,
-                            cloud.position,
-                            &field,
-                            #[inline(always)]
-                            |lane| first + lane,
-                        )
-                    } else {
-                        Quad::gather(
-                            simd,
-                            cloud.position,
-                            &field,
-                            #[inline(always)]
-                            |lane| (first + lane).min(run.end - 1),
-                        )
-                    };
+                    let quad = Quad::first_of(simd, cloud.position, &field, first..run.end);
                     let mut offset = quad.position;
                     let mut phi = one;
                     for axis in 0..D {
-                        let base = splat(simd, base[axis] * per_support);
-                        offset[axis] = (offset[axis] - origin[axis]) * scale[axis] + base;
-                        phi *= weights::<T, S>(simd, offset[axis]);
+                        offset[axis] = offset[axis] * splat(simd, scale[axis]) + shift[axis];
+                        let along = weights::<T, S>(simd, offset[axis]);
+                        phi = if axis == 0 { along } else { phi * along };
                     }
                     if left < 4 {
                         let mut within = [T::zero(); 4];
-                        within[..left].fill(T::one());
+                        within[..left as usize].fill(T::one());
                         phi *= load(simd, &within);
                     }
                     let values = B::values(one, offset);
                     system.add(phi, &values, &quad.components[..F::COMPONENTS]);
-                    if self.positivity.is_some() {
+                    if LIMITS {
                         for axis in 0..D {
                             offset[axis] *= splat(simd, self.support);
                         }
@@ -176,7 +213,6 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
                 }
             },
         );
-        system.solve(self.positivity)
     }
 }
 
