@@ -1,8 +1,8 @@
 //! Gate: the generic step may take at most 1.5 times as long as the plain kernel of the same scheme,
 //! and TPM at most 6 times as long as linear MPM.
 //!
-//! Linear MPM and TPM do not reach 1.5 yet and have limits of their own, a quarter above what was
-//! measured when they were set. They are there to be lowered.
+//! Linear MPM does not reach 1.5 yet and has limits of its own, a quarter above what was measured when
+//! they were set. They are there to be lowered.
 //!
 //! Both run in turns in one process; the shortest thread CPU time counts. Exit code 1 on failure.
 
@@ -21,13 +21,14 @@ use plain::scene::{DT, Layout, scene};
 use plain::tpm_linear::Tpm2;
 use timing::{in_turns, short, thread_time, wall_time};
 
-/// Largest ratio that passes; the target is 1.3. Affine transfers were measured at 1.2 to 1.4.
+/// Largest ratio that passes; the target is 1.3. Affine transfers were measured at 1.2 to 1.4, TPM
+/// at 1.35 to 1.4.
 const LIMIT: f64 = 1.5;
 /// Schemes that miss it, with the largest ratio that passes. Linear MPM: with four or eight nodes per
 /// point the generic bookkeeping of a point weighs as much as its sums (measured 1.5 in 3D, 1.9 to 2.4
-/// in 2D). TPM: the plain kernel fits four points at a time, the generic one point by point (2.4).
-const PROVISIONAL: [(&str, f64); 4] =
-    [("mpm-3d-f64", 1.9), ("mpm-2d-f64", 3.0), ("mpm-2d-f64-sorting", 3.0), ("tpm-2d-f64", 3.0)];
+/// in 2D).
+const PROVISIONAL: [(&str, f64); 3] =
+    [("mpm-3d-f64", 1.9), ("mpm-2d-f64", 3.0), ("mpm-2d-f64-sorting", 3.0)];
 
 /// Largest ratio of a scheme that passes.
 fn limit_of(name: &str) -> f64 {

@@ -1,7 +1,10 @@
 //! Polynomial bases of moving least squares and their small symmetric systems.
 
+use std::ops::Mul;
+
 use crate::Scalar;
-use crate::math::Field;
+use crate::math::{Field, MAX_COMPONENTS};
+use crate::simd::{Simd, SimdBase as _, splat};
 
 /// Least ratio of a pivot to the total weight for which a moment matrix counts as regular.
 ///
@@ -13,14 +16,17 @@ pub const SINGULAR_PIVOT: f64 = 1e-5;
 ///
 /// ```
 /// use transpoint::basis::{Linear, PolynomialBasis};
-/// assert_eq!(<Linear as PolynomialBasis<f64, 2>>::values([0.25, -0.5]), [1.0, 0.25, -0.5]);
+/// let values = <Linear as PolynomialBasis<f64, 2>>::values(1.0, [0.25, -0.5]);
+/// assert_eq!(values, [1.0, 0.25, -0.5]);
 /// ```
 pub trait PolynomialBasis<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
-    /// Values of the basis functions, `[T; M]`.
-    type Values: BasisValues<T>;
+    /// Values of the M basis functions, `[V; M]`, at one point or at several side by side.
+    type Values<V: Copy>;
+    /// The normal equations of a fit with this basis.
+    type System<S: Simd>: MomentSystem<T, S, Values = Self::Values<T::Four<S>>>;
 
-    /// Evaluates the basis at an offset in units of the support's half width.
-    fn values(offset: [T; D]) -> Self::Values;
+    /// Evaluates the basis at an offset in units of the support's half width; `one` is 1.
+    fn values<V: Copy + Mul<Output = V>>(one: V, offset: [V; D]) -> Self::Values<V>;
 }
 
 /// The constant basis {1}: Shepard's interpolation, \[Shepard1968\].
@@ -35,35 +41,30 @@ pub struct Linear;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quadratic;
 
-impl<T: Scalar, const D: usize> PolynomialBasis<T, D> for Constant {
-    type Values = [T; 1];
-
-    #[inline(always)]
-    fn values(_offset: [T; D]) -> [T; 1] {
-        [T::one()]
-    }
-}
-
 macro_rules! basis {
-    ($basis:ty, $dimension:literal, $length:literal, |$x:ident| $values:expr) => {
+    ($basis:ty, $dimension:literal, $length:literal, |$one:ident, $x:ident| $values:expr) => {
         impl<T: Scalar> PolynomialBasis<T, $dimension> for $basis {
-            type Values = [T; $length];
+            type Values<V: Copy> = [V; $length];
+            type System<S: Simd> = Moments<T, S, $length>;
 
             #[inline(always)]
-            fn values($x: [T; $dimension]) -> [T; $length] {
+            fn values<V: Copy + Mul<Output = V>>($one: V, $x: [V; $dimension]) -> [V; $length] {
                 $values
             }
         }
     };
 }
 
-basis!(Linear, 1, 2, |x| [T::one(), x[0]]);
-basis!(Linear, 2, 3, |x| [T::one(), x[0], x[1]]);
-basis!(Linear, 3, 4, |x| [T::one(), x[0], x[1], x[2]]);
-basis!(Quadratic, 1, 3, |x| [T::one(), x[0], x[0] * x[0]]);
-basis!(Quadratic, 2, 6, |x| [T::one(), x[0], x[1], x[0] * x[0], x[0] * x[1], x[1] * x[1]]);
-basis!(Quadratic, 3, 10, |x| [
-    T::one(),
+basis!(Constant, 1, 1, |one, _x| [one]);
+basis!(Constant, 2, 1, |one, _x| [one]);
+basis!(Constant, 3, 1, |one, _x| [one]);
+basis!(Linear, 1, 2, |one, x| [one, x[0]]);
+basis!(Linear, 2, 3, |one, x| [one, x[0], x[1]]);
+basis!(Linear, 3, 4, |one, x| [one, x[0], x[1], x[2]]);
+basis!(Quadratic, 1, 3, |one, x| [one, x[0], x[0] * x[0]]);
+basis!(Quadratic, 2, 6, |one, x| [one, x[0], x[1], x[0] * x[0], x[0] * x[1], x[1] * x[1]]);
+basis!(Quadratic, 3, 10, |one, x| [
+    one,
     x[0],
     x[1],
     x[2],
@@ -75,31 +76,24 @@ basis!(Quadratic, 3, 10, |x| [
     x[2] * x[2]
 ]);
 
-/// An array of basis values, and the system it belongs to.
-pub trait BasisValues<T: Scalar>: Copy + Send + Sync {
-    /// Moments of a point cloud with the sums of one field.
-    type System<F: Field<T>>: MomentSystem<T, F, Values = Self>;
-}
-
-impl<T: Scalar, const M: usize> BasisValues<T> for [T; M] {
-    type System<F: Field<T>> = Moments<T, F, M>;
-}
-
-/// The normal equations of a moving-least-squares fit, accumulated point by point.
-pub trait MomentSystem<T: Scalar, F: Field<T>>: Sized {
-    /// Basis values.
+/// The normal equations of a moving-least-squares fit, accumulated four points at a time.
+pub trait MomentSystem<T: Scalar, S: Simd>: Sized {
+    /// Basis values at four points.
     type Values;
 
     /// An empty system.
-    fn empty() -> Self;
+    fn empty(simd: S) -> Self;
 
-    /// Adds a point with weight φ, basis values P, membership `own` (0 to 1) and field value.
-    fn add(&mut self, weight: T, values: &Self::Values, own: T, field: F);
+    /// Adds four points with weights φ, basis values P and the components of a field.
+    fn add(&mut self, weight: T::Four<S>, values: &Self::Values, components: &[T::Four<S>]);
 
-    /// Value of the fit at the target, or why there is none.
+    /// Adds the membership (0 to 1) of four points, which the positivity limiter needs.
+    fn add_own(&mut self, weight: T::Four<S>, values: &Self::Values, own: T::Four<S>);
+
+    /// Value at the target of the fit of the field that was added, or why there is none.
     ///
     /// `positivity` is θ of the positivity limiter.
-    fn solve(&self, positivity: Option<T>) -> Fit<F>;
+    fn solve<F: Field<T>>(&self, positivity: Option<T>) -> Fit<F>;
 }
 
 /// Result of a fit.
@@ -125,52 +119,90 @@ impl<F> Fit<F> {
     }
 }
 
-/// A = Σ φ P Pᵀ, b = Σ φ P q and Σ φ P over own points.
+/// A = Σ φ P Pᵀ, b = Σ φ P q for each component q of the field, and Σ φ P over own points.
+///
+/// Each sum is four, over every fourth point of a run, that are added up in the end.
 #[derive(Clone, Copy, Debug)]
-pub struct Moments<T, F, const M: usize> {
-    matrix: [[T; M]; M],
-    field: [F; M],
-    own: [T; M],
+pub struct Moments<T: Scalar, S: Simd, const M: usize> {
+    simd: S,
+    matrix: [[T::Four<S>; M]; M],
+    field: [[T::Four<S>; M]; MAX_COMPONENTS],
+    own: [T::Four<S>; M],
 }
 
-impl<T: Scalar, F: Field<T>, const M: usize> MomentSystem<T, F> for Moments<T, F, M> {
-    type Values = [T; M];
+impl<T: Scalar, S: Simd, const M: usize> MomentSystem<T, S> for Moments<T, S, M> {
+    type Values = [T::Four<S>; M];
 
     #[inline(always)]
-    fn empty() -> Self {
-        Self { matrix: [[T::zero(); M]; M], field: [F::default(); M], own: [T::zero(); M] }
+    fn empty(simd: S) -> Self {
+        let zero = [splat(simd, T::zero()); M];
+        Self { simd, matrix: [zero; M], field: [zero; MAX_COMPONENTS], own: zero }
     }
 
     #[inline(always)]
-    fn add(&mut self, weight: T, values: &[T; M], own: T, field: F) {
+    fn add(&mut self, weight: T::Four<S>, values: &Self::Values, components: &[T::Four<S>]) {
         for i in 0..M {
-            let weighted = weight * values[i];
-            for j in 0..=i {
+            // The first basis function is 1.
+            let weighted = if i == 0 { weight } else { weight * values[i] };
+            self.matrix[i][0] += weighted;
+            for j in 1..=i {
                 self.matrix[i][j] += weighted * values[j];
             }
-            self.field[i].add_scaled(weighted, field);
-            self.own[i] += weighted * own;
+            for (sums, component) in self.field.iter_mut().zip(components) {
+                sums[i] += weighted * *component;
+            }
         }
     }
 
     #[inline(always)]
-    fn solve(&self, positivity: Option<T>) -> Fit<F> {
-        let total = self.matrix[0][0];
+    fn add_own(&mut self, weight: T::Four<S>, values: &Self::Values, own: T::Four<S>) {
+        for i in 0..M {
+            self.own[i] += weight * values[i] * own;
+        }
+    }
+
+    #[inline(always)]
+    fn solve<F: Field<T>>(&self, positivity: Option<T>) -> Fit<F> {
+        let mut matrix = [[T::zero(); M]; M];
+        for i in 0..M {
+            for j in 0..=i {
+                matrix[i][j] = self.matrix[i][j].reduce_sum();
+            }
+        }
+        let total = matrix[0][0];
         if !(total > T::zero()) {
             return Fit::Empty;
         }
-        let Some(mut coefficients) = first_column_of_inverse(&self.matrix) else {
-            let mut value = F::default();
-            value.add_scaled(T::one() / total, self.field[0]);
-            return Fit::Constant(value);
+        let Some(mut coefficients) = first_column_of_inverse(&matrix) else {
+            let mut constant = [T::zero(); M];
+            constant[0] = T::one() / total;
+            return Fit::Constant(self.combine(&constant));
         };
-        let limited = positivity
-            .is_some_and(|theta| limit_own_weight(&mut coefficients, &self.own, total, theta));
-        let mut value = F::default();
-        for k in 0..M {
-            value.add_scaled(coefficients[k], self.field[k]);
-        }
+        let limited = positivity.is_some_and(|theta| {
+            let mut own = [T::zero(); M];
+            for i in 0..M {
+                own[i] = self.own[i].reduce_sum();
+            }
+            limit_own_weight(&mut coefficients, &own, total, theta)
+        });
+        let value = self.combine(&coefficients);
         if limited { Fit::Limited(value) } else { Fit::Regular(value) }
+    }
+}
+
+impl<T: Scalar, S: Simd, const M: usize> Moments<T, S, M> {
+    /// c · b for each component.
+    #[inline(always)]
+    fn combine<F: Field<T>>(&self, coefficients: &[T; M]) -> F {
+        let mut components = [T::zero(); MAX_COMPONENTS];
+        for (component, sums) in components[..F::COMPONENTS].iter_mut().zip(&self.field) {
+            let mut sum = sums[0] * splat(self.simd, coefficients[0]);
+            for i in 1..M {
+                sum += sums[i] * splat(self.simd, coefficients[i]);
+            }
+            *component = sum.reduce_sum();
+        }
+        F::read(&components[..F::COMPONENTS])
     }
 }
 
@@ -199,11 +231,39 @@ fn limit_own_weight<T: Scalar, const M: usize>(
     true
 }
 
-/// First column of the inverse of a symmetric matrix given by its lower triangle (LDLᵀ).
+/// First column of the inverse of a symmetric matrix given by its lower triangle.
 ///
 /// `None` when a pivot falls below [`SINGULAR_PIVOT`] times the total weight (first entry).
 #[inline(always)]
 fn first_column_of_inverse<T: Scalar, const M: usize>(matrix: &[[T; M]; M]) -> Option<[T; M]> {
+    if M == 3 { by_cofactors(matrix) } else { by_elimination(matrix) }
+}
+
+/// Three by three: the last two pivots at once, since a chain of divisions takes longest.
+#[inline(always)]
+fn by_cofactors<T: Scalar, const M: usize>(a: &[[T; M]; M]) -> Option<[T; M]> {
+    let total = a[0][0];
+    let per_total = T::one() / total;
+    let mean = [a[1][0] * per_total, a[2][0] * per_total];
+    let xx = a[1][1] - mean[0] * a[1][0];
+    let xy = a[2][1] - mean[0] * a[2][0];
+    let yy = a[2][2] - mean[1] * a[2][0];
+    let determinant = xx * yy - xy * xy;
+    let smallest = T::lit(SINGULAR_PIVOT) * total;
+    if !(xx > smallest && determinant > smallest * xx) {
+        return None;
+    }
+    let inverse = T::one() / determinant;
+    let mut x = [T::zero(); M];
+    x[1] = (mean[1] * xy - mean[0] * yy) * inverse;
+    x[2] = (mean[0] * xy - mean[1] * xx) * inverse;
+    x[0] = per_total - mean[0] * x[1] - mean[1] * x[2];
+    Some(x)
+}
+
+/// By elimination (LDLᵀ).
+#[inline(always)]
+fn by_elimination<T: Scalar, const M: usize>(matrix: &[[T; M]; M]) -> Option<[T; M]> {
     let mut factor = *matrix;
     let smallest = T::lit(SINGULAR_PIVOT) * matrix[0][0];
     let mut inverse_pivot = [T::zero(); M];

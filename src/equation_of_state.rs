@@ -90,7 +90,8 @@ impl<T: Scalar> EquationOfState<T> {
         }
     }
 
-    /// Kept out of the step's loops, which are made for the linear law.
+    /// Kept out of the step's loops, whose registers are laid out for the linear law.
+    #[cold]
     #[inline(never)]
     fn pressure_of_others(&self, density: T, energy: T) -> T {
         match *self {

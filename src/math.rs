@@ -28,15 +28,35 @@ pub fn narrow<T: Scalar, const D: usize>(row: [T; 4]) -> [T; D] {
     vector
 }
 
+/// Most components that a field may have: those of three scalars and of a second-order tensor in 3D.
+pub const MAX_COMPONENTS: usize = 12;
+
 /// A quantity that can be averaged: scalars, vectors, tensors, and `()` for what a scene lacks.
 pub trait Field<T>: Copy + Default + std::fmt::Debug + Send + Sync + 'static {
+    /// Number of components, at most [`MAX_COMPONENTS`] where fields are reconstructed.
+    const COMPONENTS: usize;
+
     /// Adds `weight · other`.
     fn add_scaled(&mut self, weight: T, other: Self);
+
+    /// Writes the components, one after another, to as many entries.
+    fn write(&self, components: &mut [T]);
+
+    /// The field with these components.
+    fn read(components: &[T]) -> Self;
 }
 
 impl<T> Field<T> for () {
+    const COMPONENTS: usize = 0;
+
     #[inline(always)]
     fn add_scaled(&mut self, _weight: T, _other: Self) {}
+
+    #[inline(always)]
+    fn write(&self, _components: &mut [T]) {}
+
+    #[inline(always)]
+    fn read(_components: &[T]) {}
 }
 
 /// A scalar field value.
@@ -50,26 +70,52 @@ impl<T: Scalar> Default for Value<T> {
 }
 
 impl<T: Scalar> Field<T> for Value<T> {
+    const COMPONENTS: usize = 1;
+
     #[inline(always)]
     fn add_scaled(&mut self, weight: T, other: Self) {
         self.0 += weight * other.0;
     }
-}
 
-/// A node row: a vector in the first entries, a scalar in the last.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row4<T>(pub [T; 4]);
+    #[inline(always)]
+    fn write(&self, components: &mut [T]) {
+        components[0] = self.0;
+    }
 
-impl<T: Scalar> Default for Row4<T> {
-    fn default() -> Self {
-        Self([T::zero(); 4])
+    #[inline(always)]
+    fn read(components: &[T]) -> Self {
+        Self(components[0])
     }
 }
 
-impl<T: Scalar> Field<T> for Row4<T> {
+/// A vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vector<T, const D: usize>(pub [T; D]);
+
+impl<T: Scalar, const D: usize> Default for Vector<T, D> {
+    fn default() -> Self {
+        Self([T::zero(); D])
+    }
+}
+
+impl<T: Scalar, const D: usize> Field<T> for Vector<T, D> {
+    const COMPONENTS: usize = D;
+
     #[inline(always)]
     fn add_scaled(&mut self, weight: T, other: Self) {
-        add_row(&mut self.0, weight, other.0);
+        for axis in 0..D {
+            self.0[axis] += weight * other.0[axis];
+        }
+    }
+
+    #[inline(always)]
+    fn write(&self, components: &mut [T]) {
+        components.copy_from_slice(&self.0);
+    }
+
+    #[inline(always)]
+    fn read(components: &[T]) -> Self {
+        Self(std::array::from_fn(|axis| components[axis]))
     }
 }
 
@@ -84,6 +130,8 @@ impl<T: Scalar, const D: usize> Default for Tensor<T, D> {
 }
 
 impl<T: Scalar, const D: usize> Field<T> for Tensor<T, D> {
+    const COMPONENTS: usize = D * D;
+
     #[inline(always)]
     fn add_scaled(&mut self, weight: T, other: Self) {
         for i in 0..D {
@@ -92,13 +140,38 @@ impl<T: Scalar, const D: usize> Field<T> for Tensor<T, D> {
             }
         }
     }
+
+    #[inline(always)]
+    fn write(&self, components: &mut [T]) {
+        components.copy_from_slice(self.0.as_flattened());
+    }
+
+    #[inline(always)]
+    fn read(components: &[T]) -> Self {
+        Self(std::array::from_fn(|i| std::array::from_fn(|j| components[D * i + j])))
+    }
 }
 
 impl<T: Scalar, A: Field<T>, B: Field<T>> Field<T> for (A, B) {
+    const COMPONENTS: usize = A::COMPONENTS + B::COMPONENTS;
+
     #[inline(always)]
     fn add_scaled(&mut self, weight: T, other: Self) {
         self.0.add_scaled(weight, other.0);
         self.1.add_scaled(weight, other.1);
+    }
+
+    #[inline(always)]
+    fn write(&self, components: &mut [T]) {
+        let (first, second) = components.split_at_mut(A::COMPONENTS);
+        self.0.write(first);
+        self.1.write(second);
+    }
+
+    #[inline(always)]
+    fn read(components: &[T]) -> Self {
+        let (first, second) = components.split_at(A::COMPONENTS);
+        (A::read(first), B::read(second))
     }
 }
 

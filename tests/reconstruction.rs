@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::clouds::{CloudData, reproduces};
+use common::clouds::{CloudData, reproduces, weight};
 use common::parts::{cases, setup};
 use common::phases::{scatter, scheme, solver};
 use common::scenes::Block;
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use transpoint::basis::{Constant, Fit, Linear, PolynomialBasis, Quadratic};
 use transpoint::math::Value;
 use transpoint::quadrature::Gauss;
-use transpoint::reconstruction::{Carried, MovingLeastSquares, Reconstruction, weight};
+use transpoint::reconstruction::{Carried, MovingLeastSquares, Reconstruction};
 use transpoint::scene::{Boundary, PointSpec, Scene};
 use transpoint::{Settings, shape, transfer};
 

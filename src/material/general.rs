@@ -41,11 +41,29 @@ impl<T: Scalar, const D: usize> Default for GeneralState<T, D> {
 }
 
 impl<T: Scalar, const D: usize> Field<T> for GeneralState<T, D> {
+    const COMPONENTS: usize = D * D + 2;
+
     #[inline(always)]
     fn add_scaled(&mut self, weight: T, other: Self) {
         self.stress.add_scaled(weight, other.stress);
         self.energy += weight * other.energy;
         self.viscous_pressure += weight * other.viscous_pressure;
+    }
+
+    #[inline(always)]
+    fn write(&self, components: &mut [T]) {
+        self.stress.write(&mut components[..D * D]);
+        components[D * D] = self.energy;
+        components[D * D + 1] = self.viscous_pressure;
+    }
+
+    #[inline(always)]
+    fn read(components: &[T]) -> Self {
+        Self {
+            stress: Tensor::read(&components[..D * D]),
+            energy: components[D * D],
+            viscous_pressure: components[D * D + 1],
+        }
     }
 }
 

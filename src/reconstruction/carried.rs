@@ -4,6 +4,7 @@ use super::{Cloud, Reconstruction};
 use crate::Scalar;
 use crate::basis::Fit;
 use crate::math::Field;
+use crate::simd::Simd;
 
 /// No reconstruction: a cell's value is the volume-weighted mean of the points that it holds, and
 /// node velocities are the mass-weighted means of the transfer, \[Sulsky1994\].
@@ -19,8 +20,9 @@ impl<T: Scalar, const D: usize> Reconstruction<T, D> for Carried {
     }
 
     #[inline(always)]
-    fn at_center<F: Field<T>>(
+    fn fit_center<S: Simd, F: Field<T>>(
         &self,
+        _simd: S,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
         field: impl Fn(usize) -> F,
@@ -42,8 +44,9 @@ impl<T: Scalar, const D: usize> Reconstruction<T, D> for Carried {
     }
 
     #[inline(always)]
-    fn at_node<F: Field<T>>(
+    fn fit_node<S: Simd, F: Field<T>>(
         &self,
+        _simd: S,
         _cloud: &Cloud<'_, T, D>,
         _node: [T; D],
         _field: impl Fn(usize) -> F,

@@ -1,5 +1,7 @@
 //! Visiting the points around a target.
 
+use std::ops::Range;
+
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
 use crate::grid::Grid;
@@ -63,54 +65,106 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
         target: [T; D],
         mut visit: impl FnMut(usize, [T; D]),
     ) {
+        self.visit_runs(
+            neighborhood,
+            target,
+            #[inline(always)]
+            |run, base| {
+                for point in run.start as usize..run.end as usize {
+                    let position = self.position[point];
+                    let mut offset = base;
+                    for axis in 0..D {
+                        offset[axis] += self.grid.in_cells(position, axis);
+                    }
+                    visit(point, offset);
+                }
+            },
+        );
+    }
+
+    /// Visits the points of a neighbourhood as runs that are stored one after another: the points of
+    /// cells in a row along the last axis. With each comes what, added to the place of one of its
+    /// points in cells from the lower corner, gives the offset from the target.
+    ///
+    /// The order is that of [`Self::visit`].
+    #[inline(always)]
+    pub fn visit_runs(
+        &self,
+        neighborhood: Neighborhood<D>,
+        target: [T; D],
+        mut visit: impl FnMut(Range<u32>, [T; D]),
+    ) {
         let Neighborhood { first, end } = neighborhood;
         if (0..D).any(|axis| first[axis] >= end[axis]) {
             return;
         }
         let mut at = first;
         loop {
-            self.visit_cell(at, target, &mut visit);
+            self.visit_row(at, end[D - 1], target, &mut visit);
             let mut axis = D - 1;
             loop {
+                if axis == 0 {
+                    return;
+                }
+                axis -= 1;
                 at[axis] += 1;
                 if at[axis] < end[axis] {
                     break;
                 }
-                if axis == 0 {
-                    return;
-                }
                 at[axis] = first[axis];
-                axis -= 1;
             }
         }
     }
 
+    /// The cells from `at` to `end` along the last axis; a periodic face cuts their points in two.
     #[inline(always)]
-    fn visit_cell(&self, at: [i32; D], target: [T; D], visit: &mut impl FnMut(usize, [T; D])) {
-        let mut index = 0;
+    fn visit_row(
+        &self,
+        at: [i32; D],
+        end: i32,
+        target: [T; D],
+        visit: &mut impl FnMut(Range<u32>, [T; D]),
+    ) {
+        let mut row = 0;
         let mut base = [T::zero(); D];
-        for axis in 0..D {
-            let n = self.grid.n_cells[axis] as i32;
-            let mut wrapped = at[axis];
-            let mut shift = 0;
-            if wrapped < 0 || wrapped >= n {
-                wrapped = wrapped.rem_euclid(n);
-                shift = at[axis] - wrapped;
+        for axis in 0..D - 1 {
+            let (cell, shift) = self.wrap(axis, at[axis]);
+            row = row * self.grid.n_cells[axis] + cell;
+            base[axis] = shift - target[axis];
+        }
+        let last = D - 1;
+        let n = self.grid.n_cells[last];
+        let mut along = at[last];
+        while along < end {
+            let (cell, shift) = self.wrap(last, along);
+            base[last] = shift - target[last];
+            let length = ((end - along) as usize).min(n - cell);
+            let begin = row * n + cell;
+            if let Some(run) = self.points_of(begin..begin + length) {
+                visit(run, base);
             }
-            index = index * n as usize + wrapped as usize;
-            base[axis] = T::lit(f64::from(shift)) - target[axis];
+            along += length as i32;
         }
-        let slot = self.cells.slot_of[index];
-        if slot == ABSENT {
-            return;
+    }
+
+    /// The cell of the box that a cell number stands for, and the shift from the one to the other.
+    #[inline(always)]
+    fn wrap(&self, axis: usize, at: i32) -> (usize, T) {
+        let n = self.grid.n_cells[axis] as i32;
+        if at >= 0 && at < n {
+            return (at as usize, T::zero());
         }
-        for point in self.cells.points(slot as usize) {
-            let position = self.position[point];
-            let mut offset = base;
-            for axis in 0..D {
-                offset[axis] += self.grid.in_cells(position, axis);
-            }
-            visit(point, offset);
-        }
+        let wrapped = at.rem_euclid(n);
+        (wrapped as usize, T::lit(f64::from(at - wrapped)))
+    }
+
+    /// The points of cells with consecutive numbers, which are stored in the order of cells.
+    #[inline(always)]
+    fn points_of(&self, cells: Range<usize>) -> Option<Range<u32>> {
+        let slots = &self.cells.slot_of[cells];
+        let first = *slots.iter().find(|&&slot| slot != ABSENT)?;
+        let last = *slots.iter().rfind(|&&slot| slot != ABSENT)?;
+        let starts = &self.cells.first;
+        Some(starts[first as usize]..starts[last as usize + 1])
     }
 }

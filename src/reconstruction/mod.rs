@@ -6,16 +6,17 @@ mod moving_least_squares;
 
 pub use carried::Carried;
 pub use gather::{Cloud, Neighborhood};
-pub use moving_least_squares::{MovingLeastSquares, weight};
+pub use moving_least_squares::MovingLeastSquares;
 
 use crate::Scalar;
 use crate::basis::Fit;
 use crate::math::Field;
+use crate::simd::{Simd, vectorized};
 
 /// How fields are found between the points.
 ///
 /// A reconstruction visits the points near a target through a [`Cloud`] and returns a fitted value.
-/// Both methods are called once per cell or node, so that the fields' types stay generic.
+/// Fields have to be finite in all cells that the support overlaps, also where the weight is zero.
 pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     /// Whether node velocities are reconstructed, not transferred from the points.
     const REBUILDS_NODES: bool;
@@ -24,18 +25,40 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
     fn support(&self) -> T;
 
     /// Fits a field at the centre of an active cell; `field(p)` is its value at point `p`.
-    fn at_center<F: Field<T>>(
+    fn fit_center<S: Simd, F: Field<T>>(
         &self,
+        simd: S,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F>;
 
     /// Fits a field at a node given by its coordinates in cells from the lower corner.
+    fn fit_node<S: Simd, F: Field<T>>(
+        &self,
+        simd: S,
+        cloud: &Cloud<'_, T, D>,
+        node: [T; D],
+        field: impl Fn(usize) -> F,
+    ) -> Fit<F>;
+
+    /// [`Self::fit_center`] for a single fit, outside of a kernel.
+    fn at_center<F: Field<T>>(
+        &self,
+        cloud: &Cloud<'_, T, D>,
+        cell: [usize; D],
+        field: impl Fn(usize) -> F,
+    ) -> Fit<F> {
+        vectorized!(simd => self.fit_center(simd, cloud, cell, field))
+    }
+
+    /// [`Self::fit_node`] for a single fit, outside of a kernel.
     fn at_node<F: Field<T>>(
         &self,
         cloud: &Cloud<'_, T, D>,
         node: [T; D],
         field: impl Fn(usize) -> F,
-    ) -> Fit<F>;
+    ) -> Fit<F> {
+        vectorized!(simd => self.fit_node(simd, cloud, node, field))
+    }
 }

@@ -12,7 +12,7 @@ use crate::parallel::{fold_blocks, for_each_block};
 use crate::quadrature::{Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
-use crate::simd::vectorized;
+use crate::simd::{Simd, vectorized};
 use crate::stencil::{for_each_outer_row, rows_at_center};
 use crate::telemetry::Counters;
 
@@ -51,11 +51,11 @@ where
 {
     let quadrature = view.method.quadrature();
     let work = |slots: std::ops::Range<usize>, part: &mut [Center<T, StateOf<T, D, K>>]| {
-        vectorized!(_simd => {
+        vectorized!(simd => {
             let mut counters = Counters::default();
             for (slot, center) in slots.zip(part) {
                 *center = match quadrature.samples(view.cells.kind[slot]) {
-                    Samples::Center => full_cell(view, slot, &mut counters),
+                    Samples::Center => full_cell(simd, view, slot, &mut counters),
                     Samples::Points => cut_cell(view, slot),
                 };
             }
@@ -67,19 +67,22 @@ where
 
 /// A cell full of fluid: fields of the reconstruction at the centre, volume of the cell.
 #[inline(always)]
-fn full_cell<T, const D: usize, M, K>(
+fn full_cell<S, T, const D: usize, M, K>(
+    simd: S,
     view: &View<'_, T, D, M, K>,
     slot: usize,
     counters: &mut Counters,
 ) -> Center<T, StateOf<T, D, K>>
 where
+    S: Simd,
     T: Scalar,
     M: Method<T, D>,
     K: Material<T, D>,
 {
     let particles = view.particles;
     let cell = view.grid.cell_coordinates(view.cells.index[slot]);
-    let fit = view.method.reconstruction().at_center(
+    let fit = view.method.reconstruction().fit_center(
+        simd,
         &view.cloud(),
         cell,
         #[inline(always)]

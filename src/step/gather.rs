@@ -99,7 +99,11 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Site<'_, T, D, H> {
     ) -> Sums<T, T::Four<S>, D> {
         let row = &self.rows[axis];
         let weight = splat(simd, row.weight[k]);
-        let slope = row.gradient[k] * part.velocity.as_array()[axis] + row.weight[k] * part.slope;
+        let mut slope = row.gradient[k] * part.velocity.as_array()[axis];
+        // A line, the last axis, has no slope but that in its last entry.
+        if axis + 2 < D {
+            slope += row.weight[k] * part.slope;
+        }
         let mut sums = Sums { velocity: part.velocity * weight, slope, ..*part };
         if want.increment {
             sums.increment = part.increment * weight;

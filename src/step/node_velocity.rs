@@ -4,13 +4,13 @@ use super::{NODE_GRAIN, View};
 use crate::Scalar;
 use crate::cells::{ABSENT, CellKind};
 use crate::material::Material;
-use crate::math::Row4;
+use crate::math::{Value, Vector, widen};
 use crate::method::Method;
 use crate::parallel::{fold_blocks, for_each_block};
 use crate::quadrature::Quadrature;
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
-use crate::simd::vectorized;
+use crate::simd::{Simd, vectorized};
 use crate::telemetry::Counters;
 
 /// Velocity of a node from its transfer sums, v_I = Σ w m v / Σ w m; zero where no mass arrives.
@@ -48,12 +48,12 @@ where
         return Counters::default();
     }
     let work = |nodes: std::ops::Range<usize>, part: &mut [[T; 4]]| {
-        vectorized!(_simd => {
+        vectorized!(simd => {
             let mut counters = Counters::default();
             for (node, out) in nodes.zip(part) {
                 let at = view.grid.node_coordinates(index[node]);
                 let rebuilt =
-                    if is_interior(view, at) { rebuild(view, at, &mut counters) } else { None };
+                    if is_interior(view, at) { rebuild(simd, view, at, &mut counters) } else { None };
                 *out = match rebuilt {
                     Some(velocity) => velocity,
                     None => transfer_velocity::<T, D>(transfer[node]),
@@ -66,12 +66,14 @@ where
 }
 
 #[inline(always)]
-fn rebuild<T, const D: usize, M, K>(
+fn rebuild<S, T, const D: usize, M, K>(
+    simd: S,
     view: &View<'_, T, D, M, K>,
     node: [usize; D],
     counters: &mut Counters,
 ) -> Option<[T; 4]>
 where
+    S: Simd,
     T: Scalar,
     M: Method<T, D>,
     K: Material<T, D>,
@@ -83,22 +85,24 @@ where
         at[axis] = shape.node_coordinate(node[axis], n, periodic);
     }
     let p = view.particles;
-    let fit = view.method.reconstruction().at_node(
+    let fit = view.method.reconstruction().fit_node(
+        simd,
         &view.cloud(),
         at,
         #[inline(always)]
         |point| {
             let density = p.density[point];
-            let mut row = [T::zero(); 4];
+            let mut momentum = p.velocity[point];
             for axis in 0..D {
-                row[axis] = density * p.velocity[point][axis];
+                momentum[axis] *= density;
             }
-            row[3] = density;
-            Row4(row)
+            (Vector(momentum), Value(density))
         },
     );
     counters.count_fit(&fit);
-    let Row4(row) = fit.value()?;
+    let (Vector(momentum), Value(density)) = fit.value()?;
+    let mut row = widen(momentum);
+    row[3] = density;
     Some(transfer_velocity::<T, D>(row))
 }
 

@@ -70,6 +70,15 @@ impl<T: Scalar, const D: usize> CloudData<T, D> {
     }
 }
 
+/// Cubic spline on [−1, 1], the weight of moving least squares along one axis.
+pub fn weight(r: f64) -> f64 {
+    match r.abs() {
+        r if r <= 0.5 => 2.0 / 3.0 - 4.0 * r * r * (1.0 - r),
+        r if r <= 1.0 => 4.0 / 3.0 * (1.0 - r).powi(3),
+        _ => 0.0,
+    }
+}
+
 /// A full polynomial of degree 0, 1 or 2 about a target, with values of order one.
 #[derive(Clone, Copy, Debug)]
 pub struct Polynomial<const D: usize> {

@@ -1,5 +1,6 @@
 //! The mutants: each is a part of a method with one mistake.
 
+use fearless_simd::Simd;
 use transpoint::basis::{self, Fit};
 use transpoint::cells::CellKind;
 use transpoint::equation_of_state::EquationOfState;
@@ -53,22 +54,24 @@ impl Reconstruction<f64, 2> for DroppedTerms {
         1.0
     }
 
-    fn at_center<F: Field<f64>>(
+    fn fit_center<S: Simd, F: Field<f64>>(
         &self,
+        simd: S,
         cloud: &Cloud<'_, f64, 2>,
         cell: [usize; 2],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        MovingLeastSquares::<basis::Constant, f64>::new(1.0).at_center(cloud, cell, field)
+        MovingLeastSquares::<basis::Constant, f64>::new(1.0).fit_center(simd, cloud, cell, field)
     }
 
-    fn at_node<F: Field<f64>>(
+    fn fit_node<S: Simd, F: Field<f64>>(
         &self,
+        simd: S,
         cloud: &Cloud<'_, f64, 2>,
         node: [f64; 2],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        MovingLeastSquares::<basis::Constant, f64>::new(1.0).at_node(cloud, node, field)
+        MovingLeastSquares::<basis::Constant, f64>::new(1.0).fit_node(simd, cloud, node, field)
     }
 }
 
