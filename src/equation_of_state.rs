@@ -15,13 +15,8 @@ use crate::scene::EquationOfStateSpec;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EquationOfState<T> {
-    /// p = c₀² (ρ − ρ₀), Eq. (35) of \[Song2020\].
-    WeaklyCompressible {
-        /// ρ₀, kg/m³.
-        reference_density: T,
-        /// c₀², m²/s².
-        sound_speed_squared: T,
-    },
+    /// Linear in the density.
+    WeaklyCompressible(WeaklyCompressible<T>),
     /// p = B ((ρ/ρ₀)^γ − 1) with B = ρ₀ c₀² / γ, \[Cole1948\].
     Tait {
         /// ρ₀, kg/m³.
@@ -40,6 +35,23 @@ pub enum EquationOfState<T> {
     },
 }
 
+/// p = c₀² (ρ − ρ₀), Eq. (35) of \[Song2020\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeaklyCompressible<T> {
+    /// ρ₀, kg/m³.
+    pub reference_density: T,
+    /// c₀², m²/s².
+    pub sound_speed_squared: T,
+}
+
+impl<T: Scalar> WeaklyCompressible<T> {
+    /// Pressure, Pa, compression positive.
+    #[inline(always)]
+    pub fn pressure(&self, density: T) -> T {
+        self.sound_speed_squared * (density - self.reference_density)
+    }
+}
+
 impl<T: Scalar> EquationOfState<T> {
     /// Checks and converts the law of a scene.
     ///
@@ -49,10 +61,10 @@ impl<T: Scalar> EquationOfState<T> {
         match *spec {
             EquationOfStateSpec::WeaklyCompressible { reference_density, sound_speed } => {
                 check_liquid(reference_density, sound_speed)?;
-                Ok(Self::WeaklyCompressible {
+                Ok(Self::WeaklyCompressible(WeaklyCompressible {
                     reference_density: T::lit(reference_density),
                     sound_speed_squared: T::lit(sound_speed * sound_speed),
-                })
+                }))
             }
             EquationOfStateSpec::Tait { reference_density, sound_speed, exponent } => {
                 check_liquid(reference_density, sound_speed)?;
@@ -74,30 +86,23 @@ impl<T: Scalar> EquationOfState<T> {
         }
     }
 
+    /// The law as one that is linear in the density, if it is.
+    pub fn linear(&self) -> Option<WeaklyCompressible<T>> {
+        match *self {
+            Self::WeaklyCompressible(law) => Some(law),
+            Self::Tait { .. } | Self::StiffenedGas { .. } => None,
+        }
+    }
+
     /// Whether the pressure depends on the internal energy.
     pub fn uses_energy(&self) -> bool {
         matches!(self, Self::StiffenedGas { .. })
     }
 
     /// Pressure, Pa, compression positive.
-    #[inline(always)]
     pub fn pressure(&self, density: T, energy: T) -> T {
         match *self {
-            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
-                sound_speed_squared * (density - reference_density)
-            }
-            _ => self.pressure_of_others(density, energy),
-        }
-    }
-
-    /// Kept out of the step's loops, whose registers are laid out for the linear law.
-    #[cold]
-    #[inline(never)]
-    fn pressure_of_others(&self, density: T, energy: T) -> T {
-        match *self {
-            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
-                sound_speed_squared * (density - reference_density)
-            }
+            Self::WeaklyCompressible(law) => law.pressure(density),
             Self::Tait { reference_density, modulus, exponent } => {
                 modulus * ((density / reference_density).powf(exponent) - T::one())
             }
@@ -110,8 +115,8 @@ impl<T: Scalar> EquationOfState<T> {
     /// Density at which a pressure (Pa) is found, kg/m³.
     pub fn density(&self, pressure: T, energy: T) -> T {
         match *self {
-            Self::WeaklyCompressible { reference_density, sound_speed_squared } => {
-                reference_density + pressure / sound_speed_squared
+            Self::WeaklyCompressible(law) => {
+                law.reference_density + pressure / law.sound_speed_squared
             }
             Self::Tait { reference_density, modulus, exponent } => {
                 reference_density * (pressure / modulus + T::one()).powf(T::one() / exponent)
@@ -126,7 +131,7 @@ impl<T: Scalar> EquationOfState<T> {
     #[inline]
     pub fn sound_speed(&self, density: T, energy: T) -> T {
         let squared = match *self {
-            Self::WeaklyCompressible { sound_speed_squared, .. } => sound_speed_squared,
+            Self::WeaklyCompressible(law) => law.sound_speed_squared,
             Self::Tait { reference_density, modulus, exponent } => {
                 let compression = density / reference_density;
                 modulus * exponent / reference_density * compression.powf(exponent - T::one())

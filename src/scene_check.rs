@@ -1,9 +1,10 @@
 //! Checks of a scene's points before a run.
 
 use crate::Scalar;
-use crate::equation_of_state::EquationOfState;
+use crate::equation_of_state::{EquationOfState, WeaklyCompressible};
 use crate::error::InvalidInput;
 use crate::grid::Grid;
+use crate::material::Material;
 use crate::scene::Scene;
 
 /// Checks that every point lies in the box and has a positive density and mass.
@@ -96,4 +97,21 @@ pub fn check_material<const D: usize>(scene: &Scene<D>) -> Result<(), InvalidInp
         return Err(InvalidInput::new("energy", false, allowed));
     }
     Ok(())
+}
+
+/// The pressure law in the form in which a material without other laws uses it.
+///
+/// # Errors
+/// When the material goes with the weakly compressible law only and the scene has another.
+pub fn linear_law<T: Scalar, const D: usize, K: Material<T, D>>(
+    law: &EquationOfState<T>,
+) -> Result<WeaklyCompressible<T>, InvalidInput> {
+    if K::ANY_LAW {
+        // Not used.
+        let zero = T::zero();
+        let nothing = WeaklyCompressible { reference_density: zero, sound_speed_squared: zero };
+        return Ok(law.linear().unwrap_or(nothing));
+    }
+    let allowed = "the weakly compressible law, or the material `General`";
+    law.linear().ok_or_else(|| InvalidInput::new("equation_of_state", "another law", allowed))
 }

@@ -12,7 +12,7 @@ use crate::nodes::Nodes;
 use crate::particles::Particles;
 use crate::quadrature::{Quadrature, classify};
 use crate::scene::Scene;
-use crate::scene_check::{check_material, check_points, minimum_density};
+use crate::scene_check::{check_material, check_points, linear_law, minimum_density};
 use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::step::{
@@ -92,6 +92,7 @@ where
         check_material(scene)?;
         let physics = Physics {
             equation_of_state,
+            linear: linear_law::<T, D, K>(&equation_of_state)?,
             material,
             minimum_density: minimum_density(scene, &equation_of_state)?,
             body_force: scene.body_force.map(T::lit),

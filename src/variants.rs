@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::basis::{self, PolynomialBasis};
+use crate::equation_of_state::EquationOfState;
 use crate::error::InvalidInput;
 use crate::formulation::{Formulation, PointDivergence};
 use crate::material::{Deviatoric, General, Inviscid, Material};
@@ -206,7 +207,8 @@ where
             (None, None) => None,
         };
         let bulk_viscosity = self.settings.bulk_viscosity;
-        if energy || bulk_viscosity.is_some() {
+        let law = EquationOfState::<f64>::new(&self.scene.equation_of_state)?;
+        if energy || bulk_viscosity.is_some() || law.linear().is_none() {
             let volume: f64 = self.scene.grid.spacing.iter().product();
             return self.solve(
                 method,

@@ -132,6 +132,7 @@ fn viscous_pressure<T: Scalar>(
 impl<T: Scalar, const D: usize> Material<T, D> for General<T> {
     type State = GeneralState<T, D>;
     const PRESENT: bool = true;
+    const ANY_LAW: bool = true;
 
     fn initial(&self, energy: T) -> GeneralState<T, D> {
         GeneralState { energy, ..GeneralState::default() }

@@ -47,6 +47,9 @@ pub trait Material<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     type State: Field<T>;
     /// Whether there is anything.
     const PRESENT: bool;
+    /// Whether it goes with every pressure law; else with the weakly compressible one only, whose
+    /// pressure then takes two operations in the step's loops and no branch.
+    const ANY_LAW: bool = false;
 
     /// State at the start; specific internal energy in J/kg.
     fn initial(&self, _energy: T) -> Self::State {

@@ -21,7 +21,7 @@ pub use update_grid::{NodeForces, constrain, increment_energy, update_grid};
 
 use crate::Scalar;
 use crate::cells::Cells;
-use crate::equation_of_state::EquationOfState;
+use crate::equation_of_state::{EquationOfState, WeaklyCompressible};
 use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
@@ -51,6 +51,8 @@ pub type ParticlesOf<T, const D: usize, M, K> =
 pub struct Physics<T, const D: usize, K> {
     /// Pressure law.
     pub equation_of_state: EquationOfState<T>,
+    /// The same where it is linear, for materials that go with no other.
+    pub linear: WeaklyCompressible<T>,
     /// What the material is made of besides its pressure law.
     pub material: K,
     /// Density to which a point of less is raised, kg/m³; zero: none.
@@ -65,8 +67,12 @@ impl<T: Scalar, const D: usize, K: Material<T, D>> Physics<T, D, K> {
     /// Pressure of the law and of the bulk viscosity, Pa.
     #[inline(always)]
     pub fn pressure(&self, density: T, state: &StateOf<T, D, K>) -> T {
-        let pressure = self.equation_of_state.pressure(density, K::energy(state));
-        if K::PRESENT { pressure + K::viscous_pressure(state) } else { pressure }
+        if K::ANY_LAW {
+            let pressure = self.equation_of_state.pressure(density, K::energy(state));
+            pressure + K::viscous_pressure(state)
+        } else {
+            self.linear.pressure(density)
+        }
     }
 }
 

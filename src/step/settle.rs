@@ -86,8 +86,9 @@ pub(super) fn is_quiet<T: Scalar, const D: usize>(
     velocity: [T; D],
     (density, floor): (T, T),
 ) -> bool {
-    let mut quiet = density > floor && density.is_finite();
-    let mut zero = T::zero();
+    let mut quiet = density > floor;
+    // Not a number unless everything is finite.
+    let mut zero = T::zero() * density;
     for axis in 0..D {
         let xi = grid.in_cells(position, axis) - T::from_index(cell[axis]);
         quiet &= xi >= T::zero() && xi < T::one();
