@@ -5,10 +5,16 @@ mod march;
 pub mod operators;
 pub mod riemann;
 pub mod sine_wave;
+pub mod sod;
 pub mod spectral;
 
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 4] =
-    [&sine_wave::SineWave, &riemann::Riemann, &operators::Operators, &spectral::Spectral];
+pub static ALL: [&dyn Case; 5] = [
+    &sine_wave::SineWave,
+    &riemann::Riemann,
+    &sod::Sod,
+    &operators::Operators,
+    &spectral::Spectral,
+];
