@@ -156,7 +156,8 @@ fn checks_fail_on_low_orders_drift_and_blow_ups() {
     assert_eq!(failing(0.7, 1e-14), 8);
     assert_eq!(failing(1.0, 1e-3), 6);
     assert_eq!(failing(f64::NAN, f64::NAN), 14);
-    assert_eq!(Sod.checks(&records(Tier::Smoke, 1.0, 1e-14)).len(), 10);
+    // The best of two methods is not the best of all: only the drift is judged.
+    assert_eq!(Sod.checks(&records(Tier::Smoke, 0.1, 1e-14)).len(), 2);
     assert!(Sod.checks(&[]).is_empty());
 }
 
