@@ -3,6 +3,7 @@
 use super::results::find;
 use super::scene::exact;
 use super::{INTERFACE, LAYOUTS, PRESSURES, SPACING, TIME};
+use crate::case::Profile;
 use crate::number::significant;
 use crate::record::RunRecord;
 use crate::report::axis::Axis;
@@ -100,7 +101,7 @@ fn figure(records: &[RunRecord], title: &str, range: [f64; 2]) -> Figure {
 }
 
 fn curve(record: &RunRecord, style: usize, [from, to]: [f64; 2]) -> Curve {
-    let mut points = record.profile("pressure").map(|profile| profile.pairs()).unwrap_or_default();
+    let mut points = record.profile("pressure").map(Profile::pairs).unwrap_or_default();
     points.retain(|&(x, _)| (from..=to).contains(&x));
     Curve { label: record.spec.variant.clone(), style, points, look: Look::Sparse(MARKERS) }
 }

@@ -2,6 +2,7 @@
 
 use super::scene::{FIELDS, Field, exact};
 use super::{INTERFACE, LAYOUTS, METHODS, TIME};
+use crate::case::Profile;
 use crate::convergence::Series;
 use crate::number;
 use crate::record::RunRecord;
@@ -38,7 +39,7 @@ pub(super) fn profiles(records: &[RunRecord]) -> Option<(usize, Figure)> {
                 Some(Curve {
                     label: method.to_owned(),
                     style: style(method),
-                    points: record.profile(field.name).map(|p| p.pairs()).unwrap_or_default(),
+                    points: record.profile(field.name).map(Profile::pairs).unwrap_or_default(),
                     look: Look::Sparse(16),
                 })
             });
