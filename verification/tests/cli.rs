@@ -63,7 +63,8 @@ fn unknown_names_list_the_names_allowed() {
 
 #[test]
 fn numbers_out_of_range_are_refused() {
-    assert_usage_error(&verify(&["run", "--level", "9"]), &["level 9", "0 to 4"]);
+    let level_nine = ["run", "--case", "sine-wave", "--level", "9"];
+    assert_usage_error(&verify(&level_nine), &["level 9", "0 to 4"]);
     assert_usage_error(&verify(&["run", "--level", "-1"]), &["-1"]);
     assert_usage_error(&verify(&["run", "--level", "fine"]), &["fine"]);
     assert_usage_error(&verify(&["run", "--threads", "0"]), &["1..=1024"]);

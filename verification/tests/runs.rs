@@ -7,7 +7,7 @@ use std::path::Path;
 
 use common::{code, stderr, stdout, verify_in};
 
-const SMALL: &[&str] = &["--variant", "gimp", "--level", "0"];
+const SMALL: &[&str] = &["--case", "sine-wave", "--variant", "gimp", "--level", "0"];
 
 /// Every file below a folder with its bytes.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
@@ -91,7 +91,7 @@ fn checks_that_hold_exit_0_and_a_failed_one_exits_1() {
     assert_eq!(checks[0]["verdict"], "pass");
 
     // One level has no order of convergence, so the checks of linear MPM must fail.
-    let one_level = ["--variant", "mpm", "--level", "0"];
+    let one_level = ["--case", "sine-wave", "--variant", "mpm", "--level", "0"];
     assert_eq!(code(&verify_in(out.path(), "run", &one_level)), 0);
     let output = verify_in(out.path(), "check", &one_level);
     assert_eq!(code(&output), 1, "{}", stdout(&output));

@@ -13,6 +13,8 @@ pub enum Cell {
     Value(f64),
     /// An observed order: six digits in CSV, two decimals in Markdown.
     Order(f64),
+    /// A measured value of everyday size: six digits in CSV, two decimals in Markdown.
+    Decimal(f64),
     /// A count.
     Count(u64),
 }
@@ -27,7 +29,9 @@ impl Cell {
     fn exact(&self) -> String {
         match self {
             Self::Text(text) => text.clone(),
-            Self::Value(value) | Self::Order(value) => number::significant(*value),
+            Self::Value(value) | Self::Order(value) | Self::Decimal(value) => {
+                number::significant(*value)
+            }
             Self::Count(count) => count.to_string(),
         }
     }
@@ -36,7 +40,7 @@ impl Cell {
         match self {
             Self::Text(text) => text.clone(),
             Self::Value(value) => number::scientific(*value),
-            Self::Order(value) => number::order(*value),
+            Self::Order(value) | Self::Decimal(value) => number::order(*value),
             Self::Count(count) => count.to_string(),
         }
     }
