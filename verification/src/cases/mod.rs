@@ -1,5 +1,9 @@
-//! The studies: one file each, one line each in the list.
+//! The studies: one file each, one line each in the list; and what several of them share.
 
+pub mod acoustic_pulse;
+pub mod errors;
+pub mod lattice;
+pub mod march;
 pub mod operators;
 pub mod sine_wave;
 pub mod spectral;
@@ -7,4 +11,9 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 3] = [&sine_wave::SineWave, &operators::Operators, &spectral::Spectral];
+pub static ALL: [&dyn Case; 4] = [
+    &sine_wave::SineWave,
+    &operators::Operators,
+    &spectral::Spectral,
+    &acoustic_pulse::AcousticPulse,
+];
