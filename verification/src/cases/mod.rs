@@ -5,15 +5,17 @@ pub mod errors;
 pub mod lattice;
 pub mod march;
 pub mod operators;
+pub mod shear_startup;
 pub mod sine_wave;
 pub mod spectral;
 
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 4] = [
+pub static ALL: [&dyn Case; 5] = [
     &sine_wave::SineWave,
     &operators::Operators,
     &spectral::Spectral,
     &acoustic_pulse::AcousticPulse,
+    &shear_startup::ShearStartup,
 ];
