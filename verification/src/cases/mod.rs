@@ -1,6 +1,7 @@
 //! The studies: one file each, one line each in the list; and what several of them share.
 
 pub mod acoustic_pulse;
+pub mod elastic_bar;
 pub mod errors;
 pub mod lattice;
 pub mod march;
@@ -12,10 +13,11 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 5] = [
+pub static ALL: [&dyn Case; 6] = [
     &sine_wave::SineWave,
     &operators::Operators,
     &spectral::Spectral,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,
+    &elastic_bar::ElasticBarWave,
 ];

@@ -13,11 +13,7 @@ use crate::report::{Artifact, Content};
 const SHOWN: [[(&str, &str, &str); 4]; 3] = [
     shown("velocity@couette-0.1", "velocity@couette-0.5", "middle@couette-0.1"),
     shown("velocity@poiseuille-0.1", "velocity@poiseuille-0.5", "middle@poiseuille-0.1"),
-    shown(
-        "velocity@couette-resumed-0.1",
-        "velocity@couette-resumed-0.5",
-        "middle@couette-resumed-0.1",
-    ),
+    shown("velocity@couette-ramp-0.1", "velocity@couette-ramp-0.5", "middle@couette-ramp-0.1"),
 ];
 
 const fn shown(
@@ -71,7 +67,6 @@ pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
 
 /// Velocities of some points over the height, beside the exact solution, at both instants.
 fn profiles(records: &[&RunRecord], flow: &str) -> Figure {
-    let start = if flow == "couette-resumed" { super::RESUMED_FROM } else { 0.0 };
     let mut panels = Vec::new();
     for layout in LAYOUTS {
         for variant in PANELS {
@@ -105,6 +100,5 @@ fn profiles(records: &[&RunRecord], flow: &str) -> Figure {
             });
         }
     }
-    let from = if start > 0.0 { format!(" from νt/H² = {start} on") } else { String::new() };
-    Figure { title: format!("Shear flow, {flow}{from}"), panels, columns: PANELS.len() }
+    Figure { title: format!("Shear flow, {flow}"), panels, columns: PANELS.len() }
 }

@@ -109,11 +109,14 @@ pub(super) fn scene(parameters: &Parameters) -> Scene<2> {
     let points = lattice::positions(h, cells, parameters.jitter, parameters.seed)
         .into_iter()
         .map(|position| {
-            let velocity = |y: f64| exact(flow, y, parameters.start);
-            let point = PointSpec::new(position, [velocity(position[1]), 0.0], DENSITY, mass);
-            let step = 1e-5 * HEIGHT;
-            let rise = velocity(position[1] + step) - velocity(position[1] - step);
-            PointSpec { velocity_gradient: [[0.0, 0.5 * rise / step], [0.0; 2]], ..point }
+            // Cells from the moving wall.
+            let depth = (HEIGHT - position[1]) / h;
+            let is_moving = flow == "couette-ramp" && depth < 1.0;
+            let [u, slope] = if is_moving { [1.0 - depth, 1.0 / h] } else { [0.0; 2] };
+            let velocity = [u * VELOCITY, 0.0];
+            let velocity_gradient = [[0.0, slope * VELOCITY], [0.0; 2]];
+            let point = PointSpec::new(position, velocity, DENSITY, mass);
+            PointSpec { velocity_gradient, ..point }
         })
         .collect();
     let upper = if flow == "poiseuille" {
@@ -142,8 +145,7 @@ pub(super) fn measure(
     state: &Observation<2>,
     instant: &str,
 ) -> Vec<Row> {
-    let time = parameters.start + state.time;
-    let field = |[_, y]: [f64; 2]| [exact(&parameters.flow, y, time), 0.0];
+    let field = |[_, y]: [f64; 2]| [exact(&parameters.flow, y, state.time), 0.0];
     let points = at_points(state, |point| point.velocity, field);
     let centers = at_centers(scene, state, |point| point.velocity, field).samples;
     let middle: Vec<Sample<2, 2>> = points
