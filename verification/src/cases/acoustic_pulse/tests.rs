@@ -59,12 +59,16 @@ fn the_exact_pulse_in_1d_has_no_error_and_a_late_and_low_one_is_found_so() {
         };
         let rows = measured(1.0, 0.0);
         assert_eq!(rows.len(), measure::missing_rows("1d").len());
-        for quantity in ["pressure@1d", "velocity@1d", "lag@1d", "loss@1d"] {
-            assert!(value(&rows, quantity).abs() < 1e-11, "{layout} {quantity}");
+        for quantity in ["pressure@1d", "velocity@1d"] {
+            assert!(value(&rows, quantity).abs() < 1e-14, "{layout} {quantity}");
+        }
+        // The tail of the other pulse is exp(−200 · 0.25²) = 4e-6 half way, and there each weighs as much.
+        for quantity in ["lag@1d", "loss@1d"] {
+            assert!(value(&rows, quantity).abs() < 1e-8, "{layout} {quantity}");
         }
         let rows = measured(0.9, 2e-4);
-        assert!((value(&rows, "lag@1d") - 2e-4 * 50.0 * 64.0).abs() < 1e-9);
-        assert!((value(&rows, "loss@1d") - 0.1).abs() < 1e-9);
+        assert!((value(&rows, "lag@1d") - 2e-4 * 50.0 * 64.0).abs() < 1e-8);
+        assert!((value(&rows, "loss@1d") - 0.1).abs() < 1e-8);
     }
 }
 
