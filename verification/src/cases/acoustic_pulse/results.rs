@@ -62,7 +62,10 @@ pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
             &title,
             Content::Figure(figure),
         ));
-        let table = errors::table(&all, policy);
+        let [pressure, velocity] = [shown[0].unit, shown[2].unit];
+        let note =
+            format!("Errors √(Σ e² V): pressure in {pressure}, velocity in {velocity}. {policy}");
+        let table = errors::table(&all, &note);
         let stem = format!("acoustic_pulse_{study}_convergence");
         artifacts.push(artifact(
             &stem,
@@ -129,7 +132,7 @@ fn dispersion(records: &[RunRecord]) -> Table {
     table(
         ["layout", "variant", "cells", "lag_cells", "speed", "loss"],
         sorted(records, "1d").iter().map(row).collect(),
-        note.replace(&format!(""), ""),
+        note,
     )
 }
 
