@@ -1,9 +1,13 @@
-//! The studies: one file each, one line each in the list.
+//! The studies: one file each, one line each in the list; and what several of them share.
 
-mod lattice;
-mod march;
+pub mod acoustic_pulse;
+pub mod elastic_bar;
+pub mod errors;
+pub mod lattice;
+pub mod march;
 pub mod operators;
 pub mod riemann;
+pub mod shear_startup;
 pub mod sine_wave;
 pub mod sod;
 pub mod spectral;
@@ -11,10 +15,13 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 5] = [
+pub static ALL: [&dyn Case; 8] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &sod::Sod,
+    &acoustic_pulse::AcousticPulse,
+    &shear_startup::ShearStartup,
+    &elastic_bar::ElasticBarWave,
     &operators::Operators,
     &spectral::Spectral,
 ];

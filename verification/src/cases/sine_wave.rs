@@ -21,6 +21,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use transpoint::{Settings, Variant};
 
+use super::lattice::{self, JITTER, LAYOUTS};
 use crate::case::{Case, Findings, RunSpec, Tier};
 use crate::convergence::{self, Order};
 use crate::judge::Check;
@@ -32,10 +33,6 @@ use crate::report::Artifact;
 const SPACINGS: [f64; 5] = [0.02, 0.01, 0.008, 0.005, 0.004];
 /// Cell size of the runs in 3D, m.
 const SPACING_3D: f64 = 0.05;
-/// Layouts of the points.
-const LAYOUTS: [&str; 2] = ["regular", "jittered"];
-/// Largest displacement of a jittered point along each axis, point spacings.
-const JITTER: f64 = 0.3;
 /// Seed of the jitter is this plus the level.
 const SEED: u64 = 20_200_904;
 
@@ -181,7 +178,7 @@ fn spec(
         amplitude: instant.amplitude,
         dt: instant.dt,
         steps: instant.steps,
-        jitter: if layout == "jittered" { JITTER } else { 0.0 },
+        jitter: lattice::jitter(layout),
         seed: SEED + level as u64,
         settings: Settings::default(),
     };

@@ -3,4 +3,5 @@
 pub mod cell_centers;
 pub mod norms;
 pub mod profile;
+pub mod samples;
 pub mod spectral;

@@ -1,6 +1,5 @@
 //! The strip, its run, and the measures taken at the end.
 
-use std::collections::BTreeMap;
 use std::time::Instant;
 
 use anyhow::Result;
@@ -11,7 +10,7 @@ use transpoint::{Observation, Scene};
 use super::{DENSITY, INTERFACE, PRESSURES, Parameters, ROUND_OFF, SOUND_SPEED, WIDTH_CELLS};
 use crate::case::{self, Findings, Outcome, Row};
 use crate::cases::lattice::lattice;
-use crate::cases::march::march;
+use crate::cases::march::{counters, march};
 use crate::exact::isothermal_riemann::{IsothermalRiemann, State};
 use crate::measure::profile::Profile;
 use crate::progress::Progress;
@@ -88,10 +87,10 @@ pub(super) fn execute(parameters: &Parameters, progress: &Progress) -> Findings 
         Err(error) => return Findings::not_built(&error, missing_rows()),
     };
     let start = Instant::now();
-    let outcome = march(simulation.as_mut(), parameters.dt, parameters.steps, progress, |_| ());
+    let steps = parameters.steps;
+    let outcome = march(simulation.as_mut(), parameters.dt, 0..steps, (progress, steps));
     let seconds = start.elapsed().as_secs_f64();
-    let entries = simulation.counters().entries();
-    let counters = BTreeMap::from(entries.map(|(name, count)| (name.to_owned(), count)));
+    let counters = counters(simulation.as_ref());
     let (rows, profiles) = if outcome == Outcome::Completed {
         match measure(&scene.grid, &simulation.observe()) {
             Ok((rows, profile)) => (rows, vec![profile]),

@@ -1,16 +1,15 @@
 //! Set-up, stepping and measurement of one run.
 
-use std::collections::BTreeMap;
 use std::time::Instant;
 
-use rand_core::{Rng, SeedableRng};
-use rand_pcg::Pcg64;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::variants::StressUpdate;
 use transpoint::{InvalidInput, Observation, Scene, Simulation};
 
 use super::Parameters;
 use crate::case::{Findings, Outcome, Row};
+use crate::cases::lattice;
+use crate::cases::march::{counters, march};
 use crate::exact::sine_wave::StandingWave;
 use crate::measure::cell_centers;
 use crate::measure::norms::L2;
@@ -55,15 +54,11 @@ impl Run<'_> {
             Err(error) => return Findings::not_built(&error, missing_rows(self.instant)),
         };
         let start = Instant::now();
-        let outcome = self.step(simulation.as_mut());
+        let Parameters { dt, steps, .. } = *self.parameters;
+        let outcome = march(simulation.as_mut(), dt, 0..steps, (self.progress, steps));
         let seconds = start.elapsed().as_secs_f64();
 
-        let mut counters: BTreeMap<String, u64> = simulation
-            .counters()
-            .entries()
-            .into_iter()
-            .map(|(name, count)| (name.to_owned(), count))
-            .collect();
+        let mut counters = counters(simulation.as_ref());
         let rows = if outcome == Outcome::Completed {
             let measured = measure(self.parameters, &scene, &simulation.observe(), self.instant);
             counters.insert("n_measure_fallbacks".to_owned(), measured.n_fallbacks);
@@ -73,18 +68,6 @@ impl Run<'_> {
             missing_rows(self.instant)
         };
         Findings { outcome, rows, profiles: Vec::new(), counters, seconds }
-    }
-
-    fn step<const D: usize>(&self, simulation: &mut dyn Simulation<D>) -> Outcome {
-        let steps = self.parameters.steps;
-        for step in 0..steps {
-            if let Err(error) = simulation.step(self.parameters.dt) {
-                let (time, reason) = (simulation.time(), error.to_string());
-                return Outcome::BlownUp { step, time, reason };
-            }
-            self.progress.advance(step + 1, steps);
-        }
-        Outcome::Completed
     }
 }
 
@@ -106,21 +89,10 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
     cells[parameters.axis] = (LENGTH / h).round() as usize;
     let frame: [usize; D] = std::array::from_fn(|axis| (axis + D - parameters.axis) % D);
 
-    let mut random = Pcg64::seed_from_u64(parameters.seed);
     let mass = DENSITY * power(0.5 * h, D);
-    let counts: [usize; D] = std::array::from_fn(|i| 2 * cells[(i + parameters.axis) % D]);
-    let mut points = Vec::with_capacity(counts.iter().product());
-    for flat in 0..counts.iter().product() {
-        let mut rest = flat;
-        let mut along = [0.0; D];
-        for i in (0..D).rev() {
-            let index = (rest % counts[i]) as f64;
-            rest /= counts[i];
-            along[i] = (index + 0.5) * 0.5 * h;
-        }
-        for place in &mut along {
-            *place += displacement(&mut random) * parameters.jitter * 0.5 * h;
-        }
+    let counts: [usize; D] = std::array::from_fn(|i| cells[(i + parameters.axis) % D]);
+    let mut points = Vec::new();
+    for along in lattice::positions(h, counts, parameters.jitter, parameters.seed) {
         let mut velocity = [0.0; D];
         velocity[parameters.axis] = wave.velocity(along[0], 0.0);
         let mut velocity_gradient = [[0.0; D]; D];
@@ -142,11 +114,6 @@ pub(super) fn scene<const D: usize>(parameters: &Parameters) -> Scene<D> {
 
 fn power(base: f64, exponent: usize) -> f64 {
     std::iter::repeat_n(base, exponent).product()
-}
-
-/// Uniform in [−1, 1), from the upper 53 bits.
-fn displacement(random: &mut Pcg64) -> f64 {
-    (random.next_u64() >> 11) as f64 * 2f64.powi(-52) - 1.0
 }
 
 /// Times at which pressure and velocity are to be compared.

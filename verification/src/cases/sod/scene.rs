@@ -1,6 +1,5 @@
 //! The tube, its run, and the measures taken on the way and at the end.
 
-use std::collections::BTreeMap;
 use std::time::Instant;
 
 use anyhow::Result;
@@ -11,7 +10,7 @@ use transpoint::{Observation, Scene};
 use super::{INTERFACE, Parameters, RATIO};
 use crate::case::{self, Findings, Outcome, Row};
 use crate::cases::lattice::lattice;
-use crate::cases::march::march;
+use crate::cases::march::{counters, march_watching};
 use crate::exact::ideal_gas_riemann::{IdealGasRiemann, SOD, State};
 use crate::measure::profile::Profile;
 use crate::number::decade_above;
@@ -132,13 +131,18 @@ pub(super) fn execute(parameters: &Parameters, progress: &Progress) -> Findings 
     };
     let (start, mut drift) = (simulation.conserved(), Drift::default());
     let clock = Instant::now();
-    let outcome =
-        march(simulation.as_mut(), parameters.dt, parameters.steps, progress, |simulation| {
+    let steps = parameters.steps;
+    let outcome = march_watching(
+        simulation.as_mut(),
+        parameters.dt,
+        0..steps,
+        (progress, steps),
+        |simulation| {
             drift.add(&start, &simulation.conserved());
-        });
+        },
+    );
     let seconds = clock.elapsed().as_secs_f64();
-    let entries = simulation.counters().entries();
-    let counters = BTreeMap::from(entries.map(|(name, count)| (name.to_owned(), count)));
+    let counters = counters(simulation.as_ref());
     let (rows, profiles) = if outcome == Outcome::Completed {
         match measure(&scene.grid, &simulation.observe(), drift) {
             Ok(measured) => measured,
