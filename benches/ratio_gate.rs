@@ -25,10 +25,10 @@ use timing::{in_turns, short, thread_time, wall_time};
 /// at 1.35 to 1.4.
 const LIMIT: f64 = 1.5;
 /// Schemes that miss it, with the largest ratio that passes. Linear MPM: with four or eight nodes per
-/// point the generic bookkeeping of a point weighs as much as its sums (measured 1.5 in 3D, 1.9 to 2.4
-/// in 2D).
+/// point the generic bookkeeping of a point weighs as much as its sums (measured 1.45 in 3D, 1.8 in 2D;
+/// more on a busy machine).
 const PROVISIONAL: [(&str, f64); 3] =
-    [("mpm-3d-f64", 1.9), ("mpm-2d-f64", 3.0), ("mpm-2d-f64-sorting", 3.0)];
+    [("mpm-3d-f64", 1.8), ("mpm-2d-f64", 2.4), ("mpm-2d-f64-sorting", 2.4)];
 
 /// Largest ratio of a scheme that passes.
 fn limit_of(name: &str) -> f64 {

@@ -277,6 +277,11 @@ where
         let outcome = grid_to_particles(&state, pass, dt, particles.view());
         self.counters.n_points_removed += outcome.n_removed;
         self.counters.n_pressure_cutoffs += outcome.n_raised;
+        if K::ANY_LAW && pass.state {
+            let viscous = |state: &&StateOf<T, D, K>| K::viscous_pressure(state) != T::zero();
+            let count = self.particles.state.iter().filter(viscous).count();
+            self.counters.n_viscous_pressures += count as u64;
+        }
         outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
     }
 

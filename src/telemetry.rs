@@ -23,6 +23,8 @@ pub struct Counters {
     pub n_sorts: u64,
     /// Cells whose pressure slope was reduced by the limiter.
     pub n_pressure_limited: u64,
+    /// Σ over steps of the points with a viscous pressure.
+    pub n_viscous_pressures: u64,
     /// Points raised to the density of the minimum pressure.
     pub n_pressure_cutoffs: u64,
     /// Points removed through a free face.
@@ -44,13 +46,14 @@ impl Counters {
             n_positivity_limited: self.n_positivity_limited + other.n_positivity_limited,
             n_sorts: self.n_sorts + other.n_sorts,
             n_pressure_limited: self.n_pressure_limited + other.n_pressure_limited,
+            n_viscous_pressures: self.n_viscous_pressures + other.n_viscous_pressures,
             n_pressure_cutoffs: self.n_pressure_cutoffs + other.n_pressure_cutoffs,
             n_points_removed: self.n_points_removed + other.n_points_removed,
         }
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 12] {
+    pub fn entries(&self) -> [(&'static str, u64); 13] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -62,6 +65,7 @@ impl Counters {
             ("n_positivity_limited", self.n_positivity_limited),
             ("n_sorts", self.n_sorts),
             ("n_pressure_limited", self.n_pressure_limited),
+            ("n_viscous_pressures", self.n_viscous_pressures),
             ("n_pressure_cutoffs", self.n_pressure_cutoffs),
             ("n_points_removed", self.n_points_removed),
         ]

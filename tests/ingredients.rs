@@ -204,6 +204,22 @@ fn minimum_pressure_raises_the_density_with_it() {
     );
 }
 
+/// In a block at rest nothing is viscous; where points move at random about half of them are.
+#[test]
+fn viscous_pressures_are_counted() {
+    let coefficients = BulkViscosity { linear: 0.3, quadratic: 1.5, expansion: false };
+    let settings = Settings { bulk_viscosity: Some(coefficients), ..Settings::default() };
+    let count = |scene: &Scene<2>, settings| {
+        run(scene, Variant::Bspline2, settings, (1, DT)).counters().n_viscous_pressures
+    };
+    let scene = block::<2>((5, true)).scene();
+    let n = scene.points.len() as u64;
+    let found = count(&scene, &settings);
+    assert!((n / 4..3 * n / 4).contains(&found), "{found} of {n}");
+    assert_eq!(count(&scene, &Settings::default()), 0);
+    assert_eq!(count(&Block::<2>::full(4, Boundary::Periodic).scene(), &settings), 0);
+}
+
 #[test]
 fn cell_wise_divergence_is_a_setting() {
     let scene = block::<2>((5, true)).scene();
