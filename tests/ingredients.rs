@@ -209,7 +209,7 @@ fn minimum_pressure_raises_the_density_with_it() {
 fn viscous_pressures_are_counted() {
     let coefficients = BulkViscosity { linear: 0.3, quadratic: 1.5, expansion: false };
     let settings = Settings { bulk_viscosity: Some(coefficients), ..Settings::default() };
-    let count = |scene: &Scene<2>, settings| {
+    let count = |scene: &Scene<2>, settings: &Settings| {
         run(scene, Variant::Bspline2, settings, (1, DT)).counters().n_viscous_pressures
     };
     let scene = block::<2>((5, true)).scene();
