@@ -1,11 +1,16 @@
-//! Checks of a scene's points before a run.
+//! Checks of a scene, and of what is asked of a method on it, before a run.
 
 use crate::Scalar;
 use crate::equation_of_state::{EquationOfState, WeaklyCompressible};
 use crate::error::InvalidInput;
+use crate::formulation::Formulation;
 use crate::grid::Grid;
 use crate::material::Material;
+use crate::method::Method;
+use crate::quadrature::Quadrature;
 use crate::scene::Scene;
+use crate::settings::StressUpdate;
+use crate::transfer::Transfer;
 
 /// Checks that every point lies in the box and has a positive density and mass.
 ///
@@ -114,4 +119,30 @@ pub fn linear_law<T: Scalar, const D: usize, K: Material<T, D>>(
     }
     let allowed = "the weakly compressible law, or the material `General`";
     law.linear().ok_or_else(|| InvalidInput::new("equation_of_state", "another law", allowed))
+}
+
+/// The update of the energy by work has what makes it exact, see
+/// [`EnergyUpdate::Work`](crate::settings::EnergyUpdate::Work).
+///
+/// # Errors
+/// When the method's transfer, samples, formulation or order of updates break the sum.
+pub fn check_energy_update<T, const D: usize, M, K>(
+    method: &M,
+    material: &K,
+) -> Result<(), InvalidInput>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: Material<T, D>,
+{
+    let keeps_energy = method.formulation() == Formulation::Standard
+        && <M::Transfer as Transfer<T, D>>::USES_INCREMENT
+        && !<M::Quadrature as Quadrature<T, D>>::USES_CENTERS
+        && method.stress_update() == StressUpdate::Last;
+    if material.wants_work() && !keeps_energy {
+        let allowed = "`strain`; `work` needs FLIP, carried values, the standard formulation and the \
+                       stress updated last";
+        return Err(InvalidInput::new("settings.energy_update", "`work`", allowed));
+    }
+    Ok(())
 }

@@ -12,7 +12,9 @@ use crate::nodes::Nodes;
 use crate::particles::Particles;
 use crate::quadrature::{Quadrature, classify};
 use crate::scene::Scene;
-use crate::scene_check::{check_material, check_points, linear_law, minimum_density};
+use crate::scene_check::{
+    check_energy_update, check_material, check_points, linear_law, minimum_density,
+};
 use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::step::{
@@ -90,6 +92,7 @@ where
             particles.state[id] = material.initial(T::lit(point.energy));
         }
         check_material(scene)?;
+        check_energy_update::<T, D, M, K>(&method, &material)?;
         let physics = Physics {
             equation_of_state,
             linear: linear_law::<T, D, K>(&equation_of_state)?,

@@ -8,7 +8,7 @@ use crate::error::InvalidInput;
 use crate::formulation::{Formulation, PointDivergence};
 use crate::material::{Deviatoric, General, Inviscid, Material};
 use crate::method::{Method, Scheme};
-use crate::quadrature::{Mixed, Particle, Quadrature};
+use crate::quadrature::{Mixed, Particle};
 use crate::reconstruction::{Carried, MovingLeastSquares};
 use crate::scene::Scene;
 pub use crate::settings::{
@@ -17,7 +17,7 @@ pub use crate::settings::{
 use crate::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
 use crate::simulation::Simulation;
 use crate::solver::Solver;
-use crate::transfer::{Apic, Flip, Transfer};
+use crate::transfer::{Apic, Flip};
 
 /// A named method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -238,15 +238,6 @@ where
         if self.settings.pressure_limiter.is_some() && !by_cell {
             let allowed = "absent, or a variant with the velocity-pressure formulation";
             return Err(InvalidInput::new("settings.pressure_limiter", "a limiter", allowed));
-        }
-        let keeps_energy = !by_cell
-            && <M::Transfer as Transfer<f64, D>>::USES_INCREMENT
-            && !<M::Quadrature as Quadrature<f64, D>>::USES_CENTERS
-            && method.stress_update() == StressUpdate::Last;
-        if self.scene.energy && self.settings.energy_update == EnergyUpdate::Work && !keeps_energy {
-            let allowed = "`strain`; `work` needs FLIP, carried values, the standard formulation \
-                           and the stress updated last";
-            return Err(InvalidInput::new("settings.energy_update", "`work`", allowed));
         }
         Ok(())
     }

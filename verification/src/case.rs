@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use transpoint::Variant;
 
 use crate::convergence::Order;
 use crate::judge::Check;
@@ -188,8 +189,11 @@ pub trait Case: Sync {
     /// One line: what is shown, and its source.
     fn about(&self) -> &'static str;
 
-    /// Names of the methods compared, in the order of legends and tables.
-    fn variants(&self) -> Vec<&'static str>;
+    /// Names of the methods compared, in the order of legends and tables; every variant of the library
+    /// unless the case says otherwise.
+    fn variants(&self) -> Vec<&'static str> {
+        Variant::ALL.iter().map(|variant| variant.name()).collect()
+    }
 
     /// Resolution steps; `--level` accepts `0..levels()`.
     fn levels(&self) -> usize;

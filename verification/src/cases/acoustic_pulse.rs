@@ -96,10 +96,6 @@ impl Case for AcousticPulse {
         "Gaussian pressure pulse from rest in 1D and 2D: order, dispersion, isotropy [MorseIngard1968]"
     }
 
-    fn variants(&self) -> Vec<&'static str> {
-        Variant::ALL.iter().map(|variant| variant.name()).collect()
-    }
-
     fn levels(&self) -> usize {
         CELLS_1D.len()
     }

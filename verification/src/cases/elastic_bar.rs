@@ -84,10 +84,6 @@ impl Case for ElasticBarWave {
         "standing longitudinal wave in an elastic bar, orders and frequency [Graff1975]"
     }
 
-    fn variants(&self) -> Vec<&'static str> {
-        Variant::ALL.iter().map(|variant| variant.name()).collect()
-    }
-
     fn levels(&self) -> usize {
         CELLS.len()
     }

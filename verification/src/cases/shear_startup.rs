@@ -101,10 +101,6 @@ impl Case for ShearStartup {
         "start-up of plane Couette and Poiseuille flow, order of the velocity [Schlichting2017]"
     }
 
-    fn variants(&self) -> Vec<&'static str> {
-        Variant::ALL.iter().map(|variant| variant.name()).collect()
-    }
-
     fn levels(&self) -> usize {
         CELLS.len()
     }

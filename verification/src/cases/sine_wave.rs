@@ -89,10 +89,6 @@ impl Case for SineWave {
         "standing acoustic wave in a closed box, orders of convergence (Fig. 9 of [Song2020])"
     }
 
-    fn variants(&self) -> Vec<&'static str> {
-        Variant::ALL.iter().map(|variant| variant.name()).collect()
-    }
-
     fn levels(&self) -> usize {
         SPACINGS.len()
     }

@@ -94,10 +94,6 @@ impl Case for Spectral {
         "growth per step of the linearised solver at frozen, disordered points"
     }
 
-    fn variants(&self) -> Vec<&'static str> {
-        Variant::ALL.iter().map(|variant| variant.name()).collect()
-    }
-
     fn levels(&self) -> usize {
         1
     }
