@@ -91,9 +91,25 @@ pub trait MomentSystem<T: Scalar, S: Simd>: Sized {
     fn add_own(&mut self, weight: T::Four<S>, values: &Self::Values, own: T::Four<S>);
 
     /// Value at the target of the fit of the field that was added, or why there is none.
+    fn solve<F: Field<T>>(&self, limiters: Limiters<T>) -> Fit<F>;
+}
+
+/// Limiters of a fit; each is off where it is `None`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limiters<T> {
+    /// Most leverage Λ > 0: the noise of the points' values is amplified at most 1 + Λ times, in
+    /// squares, compared to the constant fit.
     ///
-    /// `positivity` is θ of the positivity limiter.
-    fn solve<F: Field<T>>(&self, positivity: Option<T>) -> Fit<F>;
+    /// ```text
+    /// Σ Φ_p² / φ_p = (1 + ℓ) / Σ φ_p,   ℓ = δᵀ C⁻¹ δ
+    /// ```
+    ///
+    /// ℓ is the leverage of the target, at δ from the points' weighted mean, and C their covariance. Points
+    /// that line up along a wall let a fit extrapolate from their least scatter; where ℓ > Λ the gradient is
+    /// scaled by √(Λ/ℓ).
+    pub leverage: Option<T>,
+    /// Least share θ of the constant fit's weight that the target's own points keep, `0 ≤ θ < 1`.
+    pub positivity: Option<T>,
 }
 
 /// Result of a fit.
@@ -103,7 +119,9 @@ pub enum Fit<F> {
     Empty,
     /// The full basis.
     Regular(F),
-    /// The full basis, its gradient correction reduced by the positivity limiter.
+    /// The full basis, its gradient reduced by the limiter of the leverage alone.
+    Tempered(F),
+    /// The full basis, its gradient reduced by the positivity limiter.
     Limited(F),
     /// Too few or degenerate points: the constant basis.
     Constant(F),
@@ -114,7 +132,10 @@ impl<F> Fit<F> {
     pub fn value(self) -> Option<F> {
         match self {
             Self::Empty => None,
-            Self::Regular(value) | Self::Limited(value) | Self::Constant(value) => Some(value),
+            Self::Regular(value)
+            | Self::Tempered(value)
+            | Self::Limited(value)
+            | Self::Constant(value) => Some(value),
         }
     }
 }
@@ -162,7 +183,7 @@ impl<T: Scalar, S: Simd, const M: usize> MomentSystem<T, S> for Moments<T, S, M>
     }
 
     #[inline(always)]
-    fn solve<F: Field<T>>(&self, positivity: Option<T>) -> Fit<F> {
+    fn solve<F: Field<T>>(&self, limiters: Limiters<T>) -> Fit<F> {
         let mut matrix = [[T::zero(); M]; M];
         for i in 0..M {
             for j in 0..=i {
@@ -178,7 +199,9 @@ impl<T: Scalar, S: Simd, const M: usize> MomentSystem<T, S> for Moments<T, S, M>
             constant[0] = T::one() / total;
             return Fit::Constant(self.combine(&constant));
         };
-        let limited = positivity.is_some_and(|theta| {
+        let tempered =
+            limiters.leverage.is_some_and(|most| limit_leverage(&mut coefficients, total, most));
+        let limited = limiters.positivity.is_some_and(|theta| {
             let mut own = [T::zero(); M];
             for i in 0..M {
                 own[i] = self.own[i].reduce_sum();
@@ -186,7 +209,11 @@ impl<T: Scalar, S: Simd, const M: usize> MomentSystem<T, S> for Moments<T, S, M>
             limit_own_weight(&mut coefficients, &own, total, theta)
         });
         let value = self.combine(&coefficients);
-        if limited { Fit::Limited(value) } else { Fit::Regular(value) }
+        match (limited, tempered) {
+            (true, _) => Fit::Limited(value),
+            (false, true) => Fit::Tempered(value),
+            (false, false) => Fit::Regular(value),
+        }
     }
 }
 
@@ -224,11 +251,28 @@ fn limit_own_weight<T: Scalar, const M: usize>(
         return false;
     }
     let lambda = (T::one() - theta) * constant / (constant - full);
+    blend_with_constant(coefficients, total, lambda);
+    true
+}
+
+/// Limiter of the leverage, see [`Limiters::leverage`].
+#[inline(always)]
+fn limit_leverage<T: Scalar, const M: usize>(coefficients: &mut [T; M], total: T, most: T) -> bool {
+    let leverage = coefficients[0] * total - T::one();
+    if leverage <= most {
+        return false;
+    }
+    blend_with_constant(coefficients, total, (most / leverage).sqrt());
+    true
+}
+
+/// λ times the full fit and 1 − λ times the constant one.
+#[inline(always)]
+fn blend_with_constant<T: Scalar, const M: usize>(coefficients: &mut [T; M], total: T, lambda: T) {
     for coefficient in coefficients.iter_mut() {
         *coefficient *= lambda;
     }
     coefficients[0] += (T::one() - lambda) / total;
-    true
 }
 
 /// First column of the inverse of a symmetric matrix given by its lower triangle.

@@ -17,6 +17,9 @@ pub struct Settings {
     pub support: f64,
     /// θ of the positivity limiter of moving least squares; absent: off.
     pub positivity: Option<f64>,
+    /// Most leverage Λ of a moving-least-squares fit; absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leverage: Option<f64>,
     /// Length of a uGIMP particle, cells, `0 < l ≤ 1`.
     pub gimp_length: f64,
     /// Volume of points in boundary cells (mixed quadrature).
@@ -40,6 +43,7 @@ impl Default for Settings {
             blend: Blend::PerStep(1.0),
             support: 1.0,
             positivity: None,
+            leverage: None,
             gimp_length: 0.5,
             point_volume: PointVolume::Sphere,
             point_divergence: PointDivergence::VertexMean,
@@ -65,6 +69,7 @@ impl Settings {
             }
         };
         let theta = self.positivity.unwrap_or(0.0);
+        let leverage = self.leverage.unwrap_or(1.0);
         let length = self.gimp_length;
         let BulkViscosity { linear, quadratic, .. } = self.bulk_viscosity.unwrap_or_default();
         let checks = [
@@ -76,6 +81,7 @@ impl Settings {
                 (0.75..=4.0).contains(&self.support),
             ),
             ("positivity", theta, "0 ≤ θ < 1", (0.0..1.0).contains(&theta)),
+            ("leverage", leverage, "a positive number", leverage > 0.0),
             ("gimp_length", length, "0 < length ≤ 1 cell", length > 0.0 && length <= 1.0),
             ("bulk_viscosity.linear", linear, "a number from 0 on", linear >= 0.0),
             ("bulk_viscosity.quadratic", quadratic, "a number from 0 on", quadratic >= 0.0),
@@ -158,4 +164,8 @@ pub enum PointVolume {
     CarriedCapped,
     /// Cell volume times its fill fraction min(1, Σ m/ρ / V), shared in proportion to the carried volumes.
     VolumeFraction,
+    /// The same volume in one sample at the cell's centre, with the means of the cell's points: mass and
+    /// force enter the nodes in the same ratio however small the part, so that the stable time step
+    /// is that of full cells.
+    CellFraction,
 }

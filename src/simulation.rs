@@ -6,7 +6,7 @@ use crate::error::StepError;
 use crate::material::Material;
 use crate::method::Method;
 use crate::solver::Solver;
-use crate::step::ParticlesOf;
+use crate::step::{ParticlesOf, fuses_impulse};
 use crate::telemetry::Counters;
 
 /// State of one point as reported to the outside, in `f64`.
@@ -91,6 +91,14 @@ pub trait Simulation<const D: usize>: Send {
     /// Every point, in order of identifiers.
     fn observe(&self) -> Observation<D>;
 
+    /// Shows every point once, in no particular order: for measurements after each step.
+    fn visit_points(&self, visit: &mut dyn FnMut(&PointState<D>));
+
+    /// Mass on the nodes by the quadrature of the last step, kg; zero before the first.
+    ///
+    /// It is the sum of the points' masses only where the points are the samples.
+    fn grid_mass(&self) -> f64;
+
     /// Totals over the points.
     fn conserved(&self) -> Conserved<D>;
 
@@ -124,26 +132,37 @@ where
     }
 
     fn observe(&self) -> Observation<D> {
-        let p = &self.particles;
-        let mut points: Vec<_> = (0..p.len())
-            .filter(|&k| p.cell[k] != ABSENT)
-            .map(|k| PointState {
+        let mut points = Vec::with_capacity(self.particles.len());
+        self.visit_points(&mut |point| points.push(*point));
+        points.sort_unstable_by_key(|point| point.id);
+        Observation { time: self.time, points }
+    }
+
+    fn visit_points(&self, visit: &mut dyn FnMut(&PointState<D>)) {
+        let (p, law) = (&self.particles, &self.physics.equation_of_state);
+        for k in (0..p.len()).filter(|&k| p.cell[k] != ABSENT) {
+            visit(&PointState {
                 id: p.id[k],
                 position: p.position[k].map(Scalar::as_f64),
                 velocity: p.velocity[k].map(Scalar::as_f64),
                 density: p.density[k].as_f64(),
-                pressure: self
-                    .physics
-                    .equation_of_state
-                    .pressure(p.density[k], K::energy(&p.state[k]))
-                    .as_f64(),
+                pressure: law.pressure(p.density[k], K::energy(&p.state[k])).as_f64(),
                 mass: p.mass[k].as_f64(),
                 energy: K::energy(&p.state[k]).as_f64(),
                 stress: K::stress(&p.state[k]).map(|row| row.map(Scalar::as_f64)),
-            })
-            .collect();
-        points.sort_unstable_by_key(|point| point.id);
-        Observation { time: self.time, points }
+            });
+        }
+    }
+
+    fn grid_mass(&self) -> f64 {
+        let rows =
+            if fuses_impulse::<T, D, M>() { &self.nodes.transfer } else { &self.nodes.force };
+        let masses = self.nodes.index.iter().zip(rows).filter(|(node, _)| {
+            let at = self.grid.node_coordinates(**node);
+            // Images of periodic nodes hold the same sum.
+            (0..D).all(|a| !self.grid.periodic[a] || at[a] < self.grid.n_cells[a])
+        });
+        masses.map(|(_, row)| row[3].as_f64()).sum()
     }
 
     fn conserved(&self) -> Conserved<D> {

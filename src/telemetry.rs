@@ -19,6 +19,8 @@ pub struct Counters {
     pub n_singular_fallbacks: u64,
     /// Reconstructions changed by the positivity limiter.
     pub n_positivity_limited: u64,
+    /// Reconstructions changed by the limiter of the leverage alone.
+    pub n_leverage_limited: u64,
     /// Steps in which the points were sorted again.
     pub n_sorts: u64,
     /// Cells whose pressure slope was reduced by the limiter.
@@ -44,6 +46,7 @@ impl Counters {
             n_reconstructions: self.n_reconstructions + other.n_reconstructions,
             n_singular_fallbacks: self.n_singular_fallbacks + other.n_singular_fallbacks,
             n_positivity_limited: self.n_positivity_limited + other.n_positivity_limited,
+            n_leverage_limited: self.n_leverage_limited + other.n_leverage_limited,
             n_sorts: self.n_sorts + other.n_sorts,
             n_pressure_limited: self.n_pressure_limited + other.n_pressure_limited,
             n_viscous_pressures: self.n_viscous_pressures + other.n_viscous_pressures,
@@ -53,7 +56,7 @@ impl Counters {
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 13] {
+    pub fn entries(&self) -> [(&'static str, u64); 14] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -63,6 +66,7 @@ impl Counters {
             ("n_reconstructions", self.n_reconstructions),
             ("n_singular_fallbacks", self.n_singular_fallbacks),
             ("n_positivity_limited", self.n_positivity_limited),
+            ("n_leverage_limited", self.n_leverage_limited),
             ("n_sorts", self.n_sorts),
             ("n_pressure_limited", self.n_pressure_limited),
             ("n_viscous_pressures", self.n_viscous_pressures),

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::basis::{self, PolynomialBasis};
+use crate::basis::{self, Limiters, PolynomialBasis};
 use crate::equation_of_state::EquationOfState;
 use crate::error::InvalidInput;
 use crate::formulation::{Formulation, PointDivergence};
@@ -43,11 +43,13 @@ pub enum Variant {
     Apic,
     /// Linear MPM with the velocity-pressure formulation.
     MpmVp,
+    /// uGIMP with the velocity-pressure formulation.
+    GimpVp,
 }
 
 impl Variant {
     /// Every variant, in the order of tables and legends.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Tpm,
         Self::TpmVp,
         Self::Mpm,
@@ -58,6 +60,7 @@ impl Variant {
         Self::MpmVp,
         Self::TpmVpQuadratic,
         Self::TpmVpConstant,
+        Self::GimpVp,
     ];
 
     /// Identifier in command lines, tables and file names.
@@ -73,6 +76,7 @@ impl Variant {
             Self::Bspline3 => "bspline3",
             Self::Apic => "apic",
             Self::MpmVp => "mpm-vp",
+            Self::GimpVp => "gimp-vp",
         }
     }
 
@@ -89,6 +93,7 @@ impl Variant {
             Self::Bspline3 => "cubic B-spline MPM, FLIP [Steffen2008]",
             Self::Apic => "quadratic B-spline MPM, affine transfer [Jiang2015]",
             Self::MpmVp => "linear MPM, velocity-pressure formulation [Chen2018]",
+            Self::GimpVp => "uGIMP, velocity-pressure formulation [Bardenhagen2004] [Chen2018]",
         }
     }
 
@@ -136,6 +141,10 @@ macro_rules! build {
                     Self::Bspline3 => recipe.material_points(CubicBspline, Formulation::Standard),
                     Self::Apic => recipe.affine(QuadraticBspline),
                     Self::MpmVp => recipe.material_points(Linear, vp(PointDivergence::Constant)),
+                    Self::GimpVp => recipe.material_points(
+                        Gimp { length: settings.gimp_length },
+                        vp(PointDivergence::Constant),
+                    ),
                 }
             }
         }
@@ -161,7 +170,8 @@ where
     fn transport_points(&self, formulation: Formulation) -> Built<D> {
         let mut reconstruction =
             MovingLeastSquares::<basis::Linear, f64>::new(self.settings.support);
-        reconstruction.positivity = self.settings.positivity;
+        let Settings { leverage, positivity, .. } = *self.settings;
+        reconstruction.limiters = Limiters { leverage, positivity };
         self.build(Scheme {
             shape: Linear,
             reconstruction,

@@ -8,7 +8,7 @@ use common::phases::{scatter, scheme, solver};
 use common::scenes::Block;
 use common::{Precision, Random, near};
 use proptest::prelude::*;
-use transpoint::basis::{Constant, Fit, Linear, PolynomialBasis, Quadratic};
+use transpoint::basis::{Constant, Fit, Limiters, Linear, PolynomialBasis, Quadratic};
 use transpoint::math::Value;
 use transpoint::quadrature::Gauss;
 use transpoint::reconstruction::{Carried, MovingLeastSquares, Reconstruction};
@@ -144,6 +144,10 @@ fn no_point_within_reach_is_an_empty_fit() {
 /// below zero where the own points are heavy.
 const LINED_UP: [[f64; 2]; 4] = [[0.42, 0.0], [0.45, 0.02], [0.1, 0.62], [0.12, -0.6]];
 
+fn positivity(theta: Option<f64>) -> Limiters<f64> {
+    Limiters { positivity: theta, ..Limiters::default() }
+}
+
 fn own_weight(data: &CloudData<f64, 2>, point: usize) -> f64 {
     let offset = data.offset(point, [2.5; 2]);
     f64::from(u8::from(offset.iter().all(|x| x.abs() <= 0.5)))
@@ -160,7 +164,7 @@ fn limiter_lifts_a_negative_own_weight_to_its_share_of_shepard() {
     };
     assert!(negative < -0.1 && shepard > 0.1, "{negative} {shepard}");
     for theta in [0.0, 0.1, 0.5, 0.9] {
-        let limited = MovingLeastSquares { positivity: Some(theta), ..free };
+        let limited = MovingLeastSquares { limiters: positivity(Some(theta)), ..free };
         let Fit::Limited(Value(found)) = limited.at_center(&data.cloud(), [2; 2], own) else {
             panic!("not limited");
         };
@@ -174,7 +178,7 @@ fn limiter_lifts_a_negative_own_weight_to_its_share_of_shepard() {
 fn limiter_leaves_positive_weights_alone() {
     let data = cloud::<f64, 2>((5, true), 2);
     let free = MovingLeastSquares::<Linear, f64>::new(1.5);
-    let limited = MovingLeastSquares { positivity: Some(0.01), ..free };
+    let limited = MovingLeastSquares { limiters: positivity(Some(0.01)), ..free };
     let mut random = Random(1);
     let values: Vec<_> = (0..data.particles.len()).map(|_| random.signed()).collect();
     for &cell in &data.cells.index {
@@ -187,34 +191,80 @@ fn limiter_leaves_positive_weights_alone() {
 
 #[test]
 fn limiter_is_off_by_default() {
-    assert_eq!(MovingLeastSquares::<Linear, f64>::new(1.0).positivity, None);
+    assert_eq!(MovingLeastSquares::<Linear, f64>::new(1.0).limiters, positivity(None));
     assert_eq!(Settings::default().positivity, None);
 }
 
 /// One phase with Gauss points: what the counters say about fallbacks and limits.
-fn events(offsets: &[[f64; 2]], positivity: Option<f64>) -> [u64; 3] {
+fn events(offsets: &[[f64; 2]], limiters: Limiters<f64>) -> [u64; 4] {
     let reconstruction =
-        MovingLeastSquares { positivity, ..MovingLeastSquares::<Linear, f64>::new(1.0) };
+        MovingLeastSquares { limiters, ..MovingLeastSquares::<Linear, f64>::new(1.0) };
     let method = scheme(shape::Linear, reconstruction, Gauss, transfer::Pic);
     let mut solver = solver::<f64, 2, _>(&scene_of(offsets), method);
     scatter(&mut solver, 0.0);
     let c = solver.counters;
-    [c.n_reconstructions, c.n_singular_fallbacks, c.n_positivity_limited]
+    [c.n_reconstructions, c.n_singular_fallbacks, c.n_positivity_limited, c.n_leverage_limited]
 }
 
 #[test]
 fn fallbacks_are_counted() {
     // One cell and its four nodes see one point.
-    assert_eq!(events(&[[0.1, 0.2]], None), [5, 5, 0]);
+    assert_eq!(events(&[[0.1, 0.2]], positivity(None)), [5, 5, 0, 0]);
 }
 
 #[test]
 fn limited_fits_are_counted() {
-    let [fits, singular, limited] = events(&LINED_UP, None);
-    assert_eq!(limited, 0);
-    let [same_fits, same_singular, limited] = events(&LINED_UP, Some(0.1));
+    let [fits, singular, limited, tempered] = events(&LINED_UP, positivity(None));
+    assert_eq!([limited, tempered], [0, 0]);
+    let [same_fits, same_singular, limited, _] = events(&LINED_UP, positivity(Some(0.1)));
     assert_eq!([same_fits, same_singular], [fits, singular]);
     assert!((1..=fits - singular).contains(&limited), "{limited} of {fits}");
+}
+
+/// Σ Φ² / φ · Σ φ − 1 of a fit at the centre of cell 2, from its answers to unit values.
+fn leverage(data: &CloudData<f64, 2>, fit: &MovingLeastSquares<Linear, f64>) -> f64 {
+    let (mut sum, mut total) = (0.0, 0.0);
+    for point in 0..data.particles.len() {
+        let unit = |other: usize| Value(f64::from(u8::from(other == point)));
+        let shape = fit.at_center(&data.cloud(), [2; 2], unit).value().unwrap().0;
+        let phi: f64 =
+            data.offset(point, [2.5; 2]).map(|x| weight(x / fit.support)).iter().product();
+        if phi > 0.0 {
+            sum += shape * shape / phi;
+            total += phi;
+        }
+    }
+    sum * total - 1.0
+}
+
+/// Points nearly on a line beside the centre: a fit must extrapolate from their scatter.
+const BESIDE: [[f64; 2]; 4] = [[0.40, -0.4], [0.42, -0.1], [0.41, 0.15], [0.40, 0.45]];
+
+#[test]
+fn leverage_is_limited_to_its_bound() {
+    let data = CloudData::<f64, 2>::new(&scene_of(&BESIDE));
+    let free = MovingLeastSquares::<Linear, f64>::new(1.0);
+    let unlimited = leverage(&data, &free);
+    assert!(unlimited > 1000.0, "{unlimited}");
+    for most in [0.5, 4.0, 16.0, 100.0] {
+        let limiters = Limiters { leverage: Some(most), positivity: None };
+        let limited = MovingLeastSquares { limiters, ..free };
+        near("leverage", leverage(&data, &limited), most, 1e-9 * most).unwrap();
+        let one = limited.at_center(&data.cloud(), [2; 2], |_| Value(1.0));
+        let Fit::Tempered(Value(one)) = one else { panic!("{one:?}") };
+        near("constant", one, 1.0, 1e-13).unwrap();
+    }
+    let limiters = Limiters { leverage: Some(1.01 * unlimited), positivity: None };
+    let slack = MovingLeastSquares { limiters, ..free };
+    assert!(matches!(slack.at_center(&data.cloud(), [2; 2], |_| Value(1.0)), Fit::Regular(_)));
+}
+
+#[test]
+fn tempered_fits_are_counted() {
+    let limiters = Limiters { leverage: Some(4.0), positivity: None };
+    let [fits, singular, limited, tempered] = events(&BESIDE, limiters);
+    assert_eq!(limited, 0);
+    assert!((1..=fits - singular).contains(&tempered), "{tempered} of {fits}");
 }
 
 #[test]

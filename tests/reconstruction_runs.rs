@@ -8,7 +8,7 @@ use common::scenes::Block;
 use common::{Random, near};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
-use transpoint::basis::{Constant, Fit, Linear, PolynomialBasis};
+use transpoint::basis::{Constant, Fit, Limiters, Linear, PolynomialBasis};
 use transpoint::math::Value;
 use transpoint::reconstruction::{MovingLeastSquares, Reconstruction};
 use transpoint::scene::{Boundary, PointSpec};
@@ -95,7 +95,8 @@ fn check<B: PolynomialBasis<f64, D>, const D: usize>(
     let field: Vec<f64> = (0..data.particles.len()).map(|_| random.signed()).collect();
     let free = MovingLeastSquares::<B, f64>::new(support);
     // A limiter that never acts must not change a thing either.
-    let limited = MovingLeastSquares { positivity: Some(-1e9), ..free };
+    let limiters = Limiters { positivity: Some(-1e9), leverage: None };
+    let limited = MovingLeastSquares { limiters, ..free };
     let cloud = data.cloud();
     for (target, cell) in data.targets() {
         let fit = |method: MovingLeastSquares<B, f64>| match cell {
@@ -111,7 +112,9 @@ fn check<B: PolynomialBasis<f64, D>, const D: usize>(
                 continue;
             }
             Fit::Regular(_) => reference(&images, linear, &field),
-            Fit::Constant(_) | Fit::Limited(_) => reference(&images, false, &field),
+            Fit::Constant(_) | Fit::Tempered(_) | Fit::Limited(_) => {
+                reference(&images, false, &field)
+            }
         };
         let (Some(Value(found)), Some(expected)) = (found.value(), expected) else {
             return Err(TestCaseError::fail(format!("{found:?} and {expected:?}")));

@@ -23,6 +23,7 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
     fn samples(&self, kind: CellKind) -> Samples {
         match kind {
             CellKind::Internal => Samples::Center,
+            CellKind::Boundary if self.point_volume == PointVolume::CellFraction => Samples::Part,
             CellKind::Boundary => Samples::Points,
         }
     }
@@ -38,7 +39,7 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
             PointVolume::CarriedCapped => {
                 PointVolumes::Capped(cell_volume / T::from_index(points.len()))
             }
-            PointVolume::VolumeFraction => {
+            PointVolume::VolumeFraction | PointVolume::CellFraction => {
                 let carried =
                     points.fold(T::zero(), |sum, p| sum + cloud.mass[p] / cloud.density[p]);
                 PointVolumes::Scaled((cell_volume / carried).min(T::one()))

@@ -19,6 +19,8 @@ pub enum Samples {
     Points,
     /// At the centre, with the volume of the whole cell and reconstructed fields.
     Center,
+    /// At the centre, with the volume of the fluid in the cell and the means of its points.
+    Part,
 }
 
 /// A rule for the integrals over the fluid.

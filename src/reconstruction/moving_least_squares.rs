@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::{Cloud, Neighborhood, Reconstruction};
 use crate::Scalar;
-use crate::basis::{Fit, MomentSystem, PolynomialBasis};
+use crate::basis::{Fit, Limiters, MomentSystem, PolynomialBasis};
 use crate::math::{Field, MAX_COMPONENTS};
 use crate::simd::{Simd, SimdBase as _, load, splat};
 
@@ -20,8 +20,8 @@ use crate::simd::{Simd, SimdBase as _, load, splat};
 pub struct MovingLeastSquares<B, T> {
     /// Half width R of the support, cells, `0.5 < R ≤ 4`.
     pub support: T,
-    /// θ of the positivity limiter, `0 ≤ θ < 1`; `None`: off.
-    pub positivity: Option<T>,
+    /// What keeps the fits from extrapolating; off by default.
+    pub limiters: Limiters<T>,
     /// The polynomial basis.
     pub basis: PhantomData<B>,
 }
@@ -29,7 +29,8 @@ pub struct MovingLeastSquares<B, T> {
 impl<B, T: Scalar> MovingLeastSquares<B, T> {
     /// Unlimited reconstruction with the given half width in cells.
     pub fn new(support: T) -> Self {
-        Self { support, positivity: None, basis: PhantomData }
+        let limiters = Limiters { leverage: None, positivity: None };
+        Self { support, limiters, basis: PhantomData }
     }
 }
 
@@ -145,12 +146,12 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
         B: PolynomialBasis<T, D>,
     {
         let mut system = B::System::<S>::empty(simd);
-        if self.positivity.is_none() {
+        if self.limiters.positivity.is_none() {
             self.add_points::<S, F, D, false>(simd, cloud, target, own, field, &mut system);
         } else {
             self.add_points::<S, F, D, true>(simd, cloud, target, own, field, &mut system);
         }
-        system.solve(self.positivity)
+        system.solve(self.limiters)
     }
 
     /// Four points of a run at a time; the last four are filled up with points of no weight.

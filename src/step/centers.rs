@@ -56,7 +56,7 @@ where
             for (slot, center) in slots.zip(part) {
                 *center = match quadrature.samples(view.cells.kind[slot]) {
                     Samples::Center => full_cell(simd, view, slot, &mut counters),
-                    Samples::Points => cut_cell(view, slot),
+                    Samples::Points | Samples::Part => cut_cell(view, slot),
                 };
             }
             counters
@@ -166,6 +166,7 @@ impl Counters {
         match fit {
             Fit::Regular(_) => {}
             Fit::Limited(_) => self.n_positivity_limited += 1,
+            Fit::Tempered(_) => self.n_leverage_limited += 1,
             Fit::Empty | Fit::Constant(_) => self.n_singular_fallbacks += 1,
         }
     }

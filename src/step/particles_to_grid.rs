@@ -150,7 +150,7 @@ where
         let cell = view.grid.cell_coordinates(view.cells.index[slot]);
         let all = self.parts == ScatterParts::All;
         let samples = view.method.quadrature().samples(view.cells.kind[slot]);
-        let at_center = samples == Samples::Center;
+        let at_center = samples != Samples::Points;
         let by_cell = matches!(view.method.formulation(), Formulation::VelocityPressure(_));
         if all && (at_center || by_cell) {
             self.scatter_center(simd, at_center, cell, slot, target);
@@ -169,7 +169,7 @@ where
         if all { view.cells.points(slot).len() as u64 } else { 0 }
     }
 
-    /// One Gauss point: mass and stress at the centre of a full cell, or only the cell's pressure.
+    /// One Gauss point: mass and stress at the centre of a cell, or only the cell's pressure.
     #[inline(always)]
     fn scatter_center<S: Simd>(
         &self,
