@@ -46,7 +46,7 @@ pub fn mpm<T: Scalar, const D: usize>(scene: &Scene<D>) -> Generic<T, D, MpmSche
 /// Moving least squares with a linear basis, Gauss points in full cells, FLIP.
 pub fn tpm(scene: &Scene<2>) -> Generic<f64, 2, TpmScheme, Inviscid> {
     let reconstruction = MovingLeastSquares::new(1.0);
-    let quadrature = Mixed { point_volume: PointVolume::Sphere };
+    let quadrature = Mixed::new(PointVolume::Sphere);
     build(scene, scheme(Linear, reconstruction, quadrature, FLIP), Inviscid)
 }
 

@@ -24,6 +24,8 @@ pub struct Settings {
     pub gimp_length: f64,
     /// Volume of points in boundary cells (mixed quadrature).
     pub point_volume: PointVolume,
+    /// What a boundary cell is (mixed quadrature).
+    pub boundary_criterion: BoundaryCriterion,
     /// Divergence at the points of `tpm-vp`.
     pub point_divergence: PointDivergence,
     /// Limiter of the pressure's slope within cells (velocity-pressure formulation); absent: off.
@@ -46,6 +48,7 @@ impl Default for Settings {
             leverage: None,
             gimp_length: 0.5,
             point_volume: PointVolume::Sphere,
+            boundary_criterion: BoundaryCriterion::EmptyNeighbor,
             point_divergence: PointDivergence::VertexMean,
             pressure_limiter: None,
             bulk_viscosity: None,
@@ -69,6 +72,10 @@ impl Settings {
             }
         };
         let theta = self.positivity.unwrap_or(0.0);
+        let share = match self.boundary_criterion {
+            BoundaryCriterion::EmptyNeighbor => 1.0,
+            BoundaryCriterion::VolumeShare(share) => share,
+        };
         let leverage = self.leverage.unwrap_or(1.0);
         let length = self.gimp_length;
         let BulkViscosity { linear, quadratic, .. } = self.bulk_viscosity.unwrap_or_default();
@@ -81,6 +88,12 @@ impl Settings {
                 (0.75..=4.0).contains(&self.support),
             ),
             ("positivity", theta, "0 ≤ θ < 1", (0.0..1.0).contains(&theta)),
+            (
+                "boundary_criterion",
+                share,
+                "a share above 0, at most 1",
+                share > 0.0 && share <= 1.0,
+            ),
             ("leverage", leverage, "a positive number", leverage > 0.0),
             ("gimp_length", length, "0 < length ≤ 1 cell", length > 0.0 && length <= 1.0),
             ("bulk_viscosity.linear", linear, "a number from 0 on", linear >= 0.0),
@@ -168,4 +181,16 @@ pub enum PointVolume {
     /// force enter the nodes in the same ratio however small the part, so that the stable time step
     /// is that of full cells.
     CellFraction,
+    /// The same volume in one sample at the centroid of the part that a plane cuts off the cell.
+    Plane,
+}
+
+/// What tells a cell cut by the surface from one that is full.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BoundaryCriterion {
+    /// A boundary cell has an empty cell among its neighbours.
+    EmptyNeighbor,
+    /// The carried volumes in a boundary cell fill less than this share β of it.
+    VolumeShare(f64),
 }

@@ -10,7 +10,9 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::particles::Particles;
-use crate::quadrature::{Quadrature, classify};
+use crate::quadrature::{
+    Quadrature, classify, classify_by_volume, mark_near_surface, wetted_sites,
+};
 use crate::scene::Scene;
 use crate::scene_check::{
     check_energy_update, check_material, check_points, linear_law, minimum_density,
@@ -18,8 +20,8 @@ use crate::scene_check::{
 use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::step::{
-    AffineOf, CellMean, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics,
-    ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
+    AffineOf, CellMean, CellSamples, Center, Failure, GridState, NodeForces, ParticlesOf, Pass,
+    Physics, ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
     grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
     rebuild_centers, update_grid,
 };
@@ -56,6 +58,7 @@ where
     /// Limiter of the pressure's slope in a cell; `None`: off.
     pub pressure_limiter: Option<PressureLimiter>,
     means: Vec<CellMean<T, D>>,
+    sites: Vec<[T; D]>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
     divergence: Vec<T>,
     strain_is_rebuilt: bool,
@@ -113,6 +116,7 @@ where
             time: 0.0,
             pressure_limiter: None,
             means: Vec::new(),
+            sites: Vec::new(),
             spare: Particles::default(),
             divergence: Vec::new(),
             strain_is_rebuilt: false,
@@ -175,10 +179,26 @@ where
         self.counters.n_sorts += u64::from(binned != Binned::Unchanged);
         if binned == Binned::NewCells {
             nodes.activate(grid, &self.method.shape(), cells, &self.physics.boundaries);
-            if <M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
+        }
+        if <M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
+            self.classify(binned == Binned::NewCells);
+        }
+    }
+
+    /// Tells boundary cells from internal ones, where that may have changed.
+    fn classify(&mut self, new_cells: bool) {
+        let Self { method, physics, grid, cells, particles, .. } = self;
+        let Some(least_share) = method.quadrature().least_share() else {
+            if new_cells {
                 classify(grid, cells);
             }
-        }
+            return;
+        };
+        let mut kind = std::mem::take(&mut cells.kind);
+        let view = Self::view(method, physics, grid, cells, particles);
+        classify_by_volume(&view.cloud(), least_share, &mut kind);
+        cells.kind = kind;
+        mark_near_surface(grid, cells);
     }
 
     fn count_work(&mut self) {
@@ -203,14 +223,16 @@ where
     /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.
     pub fn particles_to_grid(&mut self, dt: T) {
         let uses_centers = <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells();
-        let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
+        let Self { method, physics, grid, cells, particles, nodes, centers, sites, .. } = self;
         let view = Self::view(method, physics, grid, cells, particles);
         let mut counters = Counters::default();
         if uses_centers {
             centers.resize(cells.len(), Center::default());
             counters = counters.sum(rebuild_centers(&view, centers));
+            wetted_sites(&view, centers, sites);
         }
-        counters = counters.sum(particles_to_grid(&view, centers, (ScatterParts::All, dt), nodes));
+        let samples = CellSamples { centers, sites };
+        counters = counters.sum(particles_to_grid(&view, samples, (ScatterParts::All, dt), nodes));
         let Nodes { index, transfer, velocity, .. } = nodes;
         counters = counters.sum(node_velocity(&view, index, transfer, velocity));
         self.counters = self.counters.sum(counters);
@@ -242,10 +264,11 @@ where
     /// The state update takes its strain from node velocities rebuilt from the points as they are:
     /// before the forces (USF) or after them (MUSL).
     pub fn strain_from_points(&mut self) {
-        let Self { method, physics, grid, cells, particles, nodes, centers, .. } = self;
+        let Self { method, physics, grid, cells, particles, nodes, centers, sites, .. } = self;
         let view = Self::view(method, physics, grid, cells, particles);
         let parts = (ScatterParts::Momentum, T::zero());
-        let mut counters = particles_to_grid(&view, centers, parts, nodes);
+        let samples = CellSamples { centers, sites };
+        let mut counters = particles_to_grid(&view, samples, parts, nodes);
         let Nodes { index, transfer, rebuilt, walls, .. } = nodes;
         rebuilt.resize(index.len(), [T::zero(); 4]);
         counters = counters.sum(node_velocity(&view, index, transfer, rebuilt));
@@ -260,10 +283,10 @@ where
         if !self.uses_cells() {
             return;
         }
-        let Self { method, grid, cells, nodes, divergence: values, .. } = self;
+        let Self { method, grid, cells, nodes, sites, divergence: values, .. } = self;
         let velocity = if self.strain_is_rebuilt { &nodes.rebuilt } else { &nodes.velocity };
         values.resize(cells.len(), T::zero());
-        divergence((grid, cells, &method.shape()), &nodes.rows, velocity, values);
+        divergence((grid, cells, &method.shape()), (&nodes.rows, sites), velocity, values);
     }
 
     /// Nodes and cells → points.

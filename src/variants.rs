@@ -12,7 +12,8 @@ use crate::quadrature::{Mixed, Particle};
 use crate::reconstruction::{Carried, MovingLeastSquares};
 use crate::scene::Scene;
 pub use crate::settings::{
-    Blend, BulkViscosity, EnergyUpdate, PointVolume, PressureLimiter, Settings, StressUpdate,
+    Blend, BoundaryCriterion, BulkViscosity, EnergyUpdate, PointVolume, PressureLimiter, Settings,
+    StressUpdate,
 };
 use crate::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
 use crate::simulation::Simulation;
@@ -175,7 +176,10 @@ where
         self.build(Scheme {
             shape: Linear,
             reconstruction,
-            quadrature: Mixed { point_volume: self.settings.point_volume },
+            quadrature: Mixed {
+                point_volume: self.settings.point_volume,
+                criterion: self.settings.boundary_criterion,
+            },
             transfer: Flip { blend: self.settings.blend },
             formulation,
             stress_update: self.settings.stress_update,
@@ -248,6 +252,12 @@ where
         if self.settings.pressure_limiter.is_some() && !by_cell {
             let allowed = "absent, or a variant with the velocity-pressure formulation";
             return Err(InvalidInput::new("settings.pressure_limiter", "a limiter", allowed));
+        }
+        let plane = self.settings.point_volume == PointVolume::Plane;
+        if plane && method.stress_update() == StressUpdate::First && by_cell {
+            let allowed = "`last` or `modified-last`, or another `point_volume`: the planes belong to the \
+                           samples of the step";
+            return Err(InvalidInput::new("settings.stress_update", "`first`", allowed));
         }
         Ok(())
     }

@@ -89,7 +89,7 @@ fn particle_quadrature_gives_the_nodes_the_mass_of_the_points() {
 fn mixed_quadrature_gives_the_nodes_the_mass_of_a_lattice_block() {
     let lattice = Block { fluid: [[2.0, 7.0]; 2], ..Block::<2>::full(9, Boundary::Free) };
     for point_volume in [PointVolume::CarriedCapped, PointVolume::VolumeFraction] {
-        let method = scheme(Linear, mls(), Mixed { point_volume }, FLIP);
+        let method = scheme(Linear, mls(), Mixed::new(point_volume), FLIP);
         nodes_hold_the_mass(&lattice.scene(), method).unwrap();
     }
 }

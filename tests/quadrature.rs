@@ -9,9 +9,12 @@ use common::phases::{scheme, solver};
 use common::scenes::Block;
 use transpoint::cells::{CellKind, Cells};
 use transpoint::method::Method;
-use transpoint::quadrature::{Gauss, Mixed, Quadrature, classify};
-use transpoint::scene::{Boundary, Scene};
+use transpoint::quadrature::{
+    Gauss, Mixed, Quadrature, classify, classify_by_volume, wetted_sites,
+};
+use transpoint::scene::{Boundary, PointSpec, Scene};
 use transpoint::shape::{Linear, QuadraticBspline};
+use transpoint::step::View;
 use transpoint::variants::PointVolume;
 use transpoint::{Observation, Simulation};
 
@@ -69,7 +72,7 @@ fn diagonal_neighbours_count() {
 /// Volumes of the points of every cell, as samples.
 fn volumes<const D: usize>(scene: &Scene<D>, point_volume: PointVolume) -> Vec<f64> {
     let data = CloudData::<f64, D>::new(scene);
-    let (cloud, rule) = (data.cloud(), Mixed { point_volume });
+    let (cloud, rule) = (data.cloud(), Mixed::new(point_volume));
     let mut found = vec![0.0; data.particles.len()];
     for slot in 0..data.cells.len() {
         let volumes = rule.point_volumes(&cloud, slot);
@@ -171,4 +174,63 @@ fn gauss_and_mixed_quadrature_differ_at_a_free_surface() {
     let scene = block.scene();
     let gauss = observe(&scene, scheme(QuadraticBspline, mls(), Gauss, FLIP));
     assert_ne!(gauss, observe(&scene, scheme(QuadraticBspline, mls(), MIXED, FLIP)));
+}
+
+/// The rival criterion looks at volumes only: a full cell under the surface is internal, one from which
+/// half of the points are gone is not.
+#[test]
+fn cells_filled_to_a_share_are_internal() {
+    let mut scene =
+        Block { fluid: [[0.0, 5.0]; 2], ..Block::<2>::full(10, Boundary::Slip) }.scene();
+    for point in &mut scene.points {
+        // The carried volume of a point is a quarter of a cell.
+        point.mass = point.density * 0.25 * scene.grid.spacing[0] * scene.grid.spacing[1];
+    }
+    let spacing = scene.grid.spacing;
+    let in_cell = |point: &PointSpec<2>| {
+        (0..2).all(|axis| (point.position[axis] / spacing[axis]).floor() == 2.0)
+    };
+    let victims: Vec<_> = (0..scene.points.len()).filter(|&p| in_cell(&scene.points[p])).collect();
+    for &victim in victims[..2].iter().rev() {
+        scene.points.remove(victim);
+    }
+    let data = CloudData::<f64, 2>::new(&scene);
+    for (share, expected) in [(0.9, 1), (0.5, 0), (0.4, 0)] {
+        let mut kind = Vec::new();
+        classify_by_volume(&data.cloud(), share * (1.0 - 1e-12), &mut kind);
+        let boundary = kind.iter().filter(|&&kind| kind == CellKind::Boundary).count();
+        assert_eq!((kind.len(), boundary), (25, expected), "share {share}");
+    }
+}
+
+/// A flat surface at 0.4 of a cell: the sample stands at 0.2 of it, and in the middle of full cells.
+#[test]
+fn samples_of_cut_cells_stand_at_the_centroid_of_the_wet_part() {
+    let block = Block { fluid: [[0.0, 6.0], [0.0, 4.0]], ..Block::<2>::full(6, Boundary::Slip) };
+    let mut scene = block.scene();
+    let spacing = scene.grid.spacing;
+    for point in &mut scene.points {
+        let top = point.position[1] > 3.0 * spacing[1];
+        point.mass = point.density * 0.25 * spacing[0] * spacing[1] * if top { 0.4 } else { 1.0 };
+    }
+    let method = scheme(Linear, mls(), Mixed::new(PointVolume::Plane), FLIP);
+    let mut solver = solver::<f64, 2, _>(&scene, method);
+    solver.particles_to_grid(DT);
+    let view = View {
+        method: &solver.method,
+        physics: &solver.physics,
+        grid: &solver.grid,
+        cells: &solver.cells,
+        particles: &solver.particles,
+    };
+    let mut sites = Vec::new();
+    wetted_sites(&view, &solver.centers, &mut sites);
+    assert_eq!(sites.len(), 24);
+    for (site, &cell) in sites.iter().zip(&solver.cells.index) {
+        let at = solver.grid.cell_coordinates(cell);
+        let along = [at[0] as f64 + 0.5, at[1] as f64 + if at[1] == 3 { 0.2 } else { 0.5 }];
+        for axis in 0..2 {
+            near("site", site[axis] / spacing[axis], along[axis], 1e-12).unwrap();
+        }
+    }
 }

@@ -252,7 +252,7 @@ fn leverage_is_limited_to_its_bound() {
         near("leverage", leverage(&data, &limited), most, 1e-9 * most).unwrap();
         let one = limited.at_center(&data.cloud(), [2; 2], |_| Value(1.0));
         let Fit::Tempered(Value(one)) = one else { panic!("{one:?}") };
-        near("constant", one, 1.0, 1e-13).unwrap();
+        near("constant", one, 1.0, 1e-12).unwrap();
     }
     let limiters = Limiters { leverage: Some(1.01 * unlimited), positivity: None };
     let slack = MovingLeastSquares { limiters, ..free };

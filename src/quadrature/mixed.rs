@@ -2,17 +2,25 @@
 
 use super::{PointVolumes, Quadrature, Samples};
 use crate::Scalar;
-use crate::cells::{ABSENT, CellKind, Cells};
-use crate::grid::Grid;
+use crate::cells::CellKind;
 use crate::reconstruction::{Cloud, Neighborhood};
-use crate::variants::PointVolume;
+use crate::variants::{BoundaryCriterion, PointVolume};
 
 /// Gauss quadrature in internal cells and point quadrature in boundary cells,
 /// Eqs. (25)-(27) of \[Song2020\].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mixed {
     /// Volume of the points of boundary cells.
     pub point_volume: PointVolume,
+    /// What a boundary cell is.
+    pub criterion: BoundaryCriterion,
+}
+
+impl Mixed {
+    /// A boundary cell is one with an empty neighbour.
+    pub const fn new(point_volume: PointVolume) -> Self {
+        Self { point_volume, criterion: BoundaryCriterion::EmptyNeighbor }
+    }
 }
 
 impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
@@ -23,8 +31,20 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
     fn samples(&self, kind: CellKind) -> Samples {
         match kind {
             CellKind::Internal => Samples::Center,
-            CellKind::Boundary if self.point_volume == PointVolume::CellFraction => Samples::Part,
-            CellKind::Boundary => Samples::Points,
+            CellKind::Boundary => match self.point_volume {
+                PointVolume::CellFraction => Samples::Part,
+                PointVolume::Plane => Samples::Wetted,
+                PointVolume::Sphere | PointVolume::CarriedCapped | PointVolume::VolumeFraction => {
+                    Samples::Points
+                }
+            },
+        }
+    }
+
+    fn least_share(&self) -> Option<T> {
+        match self.criterion {
+            BoundaryCriterion::EmptyNeighbor => None,
+            BoundaryCriterion::VolumeShare(share) => Some(T::lit(share)),
         }
     }
 
@@ -39,7 +59,7 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
             PointVolume::CarriedCapped => {
                 PointVolumes::Capped(cell_volume / T::from_index(points.len()))
             }
-            PointVolume::VolumeFraction | PointVolume::CellFraction => {
+            PointVolume::VolumeFraction | PointVolume::CellFraction | PointVolume::Plane => {
                 let carried =
                     points.fold(T::zero(), |sum, p| sum + cloud.mass[p] / cloud.density[p]);
                 PointVolumes::Scaled((cell_volume / carried).min(T::one()))
@@ -86,40 +106,4 @@ pub(super) fn sphere_volume<T: Scalar, const D: usize>(
         2 => T::frac_pi_4() * diameter * diameter,
         _ => T::frac_pi_6() * diameter * diameter * diameter,
     }
-}
-
-/// Tells boundary cells from internal ones: a boundary cell has an empty cell among its neighbours.
-///
-/// Diagonal neighbours count (8 in 2D, 26 in 3D). What lies outside the box is not an empty cell.
-/// A cell is near the surface when it or a neighbour is a boundary cell.
-pub fn classify<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
-    for slot in 0..cells.len() {
-        let cell = grid.cell_coordinates(cells.index[slot]);
-        let empty = any_neighbor(grid, cell, |found| cells.slot_of[found] == ABSENT);
-        cells.kind[slot] = if empty { CellKind::Boundary } else { CellKind::Internal };
-    }
-    for slot in 0..cells.len() {
-        let cell = grid.cell_coordinates(cells.index[slot]);
-        cells.near_surface[slot] = any_neighbor(grid, cell, |found| {
-            let neighbor = cells.slot_of[found];
-            neighbor == ABSENT || cells.kind[neighbor as usize] == CellKind::Boundary
-        });
-    }
-}
-
-/// Whether a cell or one of its neighbours within the box meets a condition.
-fn any_neighbor<T: Scalar, const D: usize>(
-    grid: &Grid<T, D>,
-    cell: [usize; D],
-    condition: impl Fn(usize) -> bool,
-) -> bool {
-    (0..3_usize.pow(D as u32)).any(|code| {
-        let mut rest = code;
-        let shift = std::array::from_fn(|_| {
-            let step = (rest % 3) as i32 - 1;
-            rest /= 3;
-            step
-        });
-        grid.neighbor(cell, shift).is_some_and(&condition)
-    })
 }

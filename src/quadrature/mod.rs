@@ -4,11 +4,13 @@ mod gauss;
 mod mixed;
 mod particle;
 mod plane;
+mod surface;
 
 pub use gauss::Gauss;
-pub use mixed::{Mixed, classify};
+pub use mixed::Mixed;
 pub use particle::Particle;
 pub use plane::{Plane, Wetted, normal};
+pub use surface::{classify, classify_by_volume, mark_near_surface, wetted_sites};
 
 use crate::Scalar;
 use crate::cells::CellKind;
@@ -23,6 +25,8 @@ pub enum Samples {
     Center,
     /// At the centre, with the volume of the fluid in the cell and the means of its points.
     Part,
+    /// As [`Self::Part`], at the centroid of the part of the cell that a plane cuts off.
+    Wetted,
 }
 
 /// A rule for the integrals over the fluid.
@@ -31,7 +35,7 @@ pub enum Samples {
 /// use transpoint::cells::CellKind;
 /// use transpoint::quadrature::{Mixed, Quadrature, Samples};
 /// use transpoint::variants::PointVolume;
-/// let rule = Mixed { point_volume: PointVolume::Sphere };
+/// let rule = Mixed::new(PointVolume::Sphere);
 /// let samples = Quadrature::<f64, 2>::samples(&rule, CellKind::Internal);
 /// assert_eq!(samples, Samples::Center);
 /// ```
@@ -43,6 +47,12 @@ pub trait Quadrature<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
 
     /// Where a cell of this kind is sampled.
     fn samples(&self, kind: CellKind) -> Samples;
+
+    /// Share β of a cell's volume that its points must fill for the cell to count as internal; `None`:
+    /// a cell is internal unless it has an empty neighbour.
+    fn least_share(&self) -> Option<T> {
+        None
+    }
 
     /// Volumes of the points of an active cell that is sampled at its points.
     fn point_volumes<'a>(&self, cloud: &'a Cloud<'a, T, D>, slot: usize) -> PointVolumes<'a, T, D>;

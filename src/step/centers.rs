@@ -13,7 +13,7 @@ use crate::quadrature::{Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
 use crate::simd::{Simd, vectorized};
-use crate::stencil::{for_each_outer_row, rows_at_center};
+use crate::stencil::{Rows, for_each_outer_row, rows_at, rows_at_center};
 use crate::telemetry::Counters;
 
 /// Fields of one cell.
@@ -33,6 +33,42 @@ impl<T: Scalar, S: Field<T>> Default for Center<T, S> {
     fn default() -> Self {
         let zero = T::zero();
         Self { density: zero, pressure: zero, volume: zero, state: S::default() }
+    }
+}
+
+/// What the cells put on their nodes, one entry per active cell.
+#[derive(Clone, Copy, Debug)]
+pub struct CellSamples<'a, T, const D: usize, S> {
+    /// Fields; empty where a method samples at its points only.
+    pub centers: &'a [Center<T, S>],
+    /// Places of the samples, m; empty where all stand at the cells' centres.
+    pub sites: &'a [[T; D]],
+}
+
+impl<T: Scalar, const D: usize, S> CellSamples<'_, T, D, S> {
+    /// Shape functions at the sample of an active cell.
+    #[inline(always)]
+    pub(super) fn rows<H: ShapeFunction<T>>(
+        &self,
+        shape: &H,
+        grid: &Grid<T, D>,
+        (slot, cell): (usize, [usize; D]),
+    ) -> Rows<T, D> {
+        sample_rows(shape, grid, self.sites, (slot, cell))
+    }
+}
+
+#[inline(always)]
+fn sample_rows<T: Scalar, const D: usize, H: ShapeFunction<T>>(
+    shape: &H,
+    grid: &Grid<T, D>,
+    sites: &[[T; D]],
+    (slot, cell): (usize, [usize; D]),
+) -> Rows<T, D> {
+    if sites.is_empty() {
+        rows_at_center(shape, grid, cell)
+    } else {
+        rows_at(shape, grid, cell, sites[slot])
     }
 }
 
@@ -56,7 +92,7 @@ where
             for (slot, center) in slots.zip(part) {
                 *center = match quadrature.samples(view.cells.kind[slot]) {
                     Samples::Center => full_cell(simd, view, slot, &mut counters),
-                    Samples::Points | Samples::Part => cut_cell(view, slot),
+                    Samples::Points | Samples::Part | Samples::Wetted => cut_cell(view, slot),
                 };
             }
             counters
@@ -129,10 +165,11 @@ where
 
 /// Divergence of each active cell by the one-point rule, D_c = Σ_I v_I · ∇N_I(x_c), 1/s.
 ///
-/// Exact for the cell's mean with the linear hat; the adjoint of the velocity-pressure force.
+/// Exact for the cell's mean with the linear hat; the adjoint of the velocity-pressure force. `sites` are
+/// those of [`CellSamples`].
 pub fn divergence<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     (grid, cells, shape): (&Grid<T, D>, &Cells, &S),
-    rows: &[u32],
+    (rows, sites): (&[u32], &[[T; D]]),
     velocity: &[[T; 4]],
     divergence: &mut [T],
 ) {
@@ -140,7 +177,7 @@ pub fn divergence<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     for_each_block(cells.len(), CELL_GRAIN, divergence, &|slots, part: &mut [T]| {
         for (slot, out) in slots.zip(part) {
             let cell = grid.cell_coordinates(cells.index[slot]);
-            let at = rows_at_center(shape, grid, cell);
+            let at = sample_rows(shape, grid, sites, (slot, cell));
             let starts = &rows[slot * n_rows..(slot + 1) * n_rows];
             let last = &at[D - 1];
             let mut sum = T::zero();

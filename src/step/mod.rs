@@ -11,7 +11,7 @@ mod settle;
 mod spread;
 mod update_grid;
 
-pub use centers::{Center, divergence, rebuild_centers};
+pub use centers::{CellSamples, Center, divergence, rebuild_centers};
 pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
 pub use limit_pressure::{CellMean, limit_pressure};
 pub use node_velocity::{node_velocity, transfer_velocity};

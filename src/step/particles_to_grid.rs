@@ -1,7 +1,7 @@
 //! Points and cells → nodes: momentum, mass and force.
 
 use super::spread::{Site, Spread};
-use super::{Center, StateOf, View};
+use super::{CellSamples, StateOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
 use crate::material::Material;
@@ -13,7 +13,7 @@ use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
 use crate::simd::{Simd, load, splat, vectorized};
-use crate::stencil::{moments_at, node_positions, rows_at, rows_at_center};
+use crate::stencil::{moments_at, node_positions, rows_at};
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
 
@@ -41,7 +41,7 @@ pub enum ScatterParts {
 /// node, so the order of summation depends on the grid alone.
 pub fn particles_to_grid<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
-    centers: &[Center<T, StateOf<T, D, K>>],
+    cell_samples: CellSamples<'_, T, D, StateOf<T, D, K>>,
     (parts, dt): (ScatterParts, T),
     nodes: &mut Nodes<T>,
 ) -> Counters
@@ -66,7 +66,7 @@ where
             let node_begin = node_cut(color + 2 * pairs.start);
             let slabs = pairs.map(|pair| color + 2 * pair);
             let mut target = Target { transfer, force, rows, node_begin };
-            let input = Input { view, centers, parts, dt };
+            let input = Input { view, cell_samples, parts, dt };
             vectorized!(simd => input.scatter_slabs(simd, slabs, &mut target))
         };
         let n_pairs = (n_slabs.saturating_sub(color)).div_ceil(2);
@@ -115,7 +115,7 @@ where
     K: Material<T, D>,
 {
     view: &'a View<'a, T, D, M, K>,
-    centers: &'a [Center<T, StateOf<T, D, K>>],
+    cell_samples: CellSamples<'a, T, D, StateOf<T, D, K>>,
     parts: ScatterParts,
     dt: T,
 }
@@ -179,8 +179,9 @@ where
         slot: usize,
         target: &mut Target<'_, T>,
     ) {
-        let center = &self.centers[slot];
-        let rows = rows_at_center(&self.view.method.shape(), self.view.grid, cell);
+        let center = &self.cell_samples.centers[slot];
+        let view = self.view;
+        let rows = self.cell_samples.rows(&view.method.shape(), view.grid, (slot, cell));
         let mass = if full { center.density * center.volume } else { T::zero() };
         let value = [T::zero(), T::zero(), T::zero(), mass];
         let state = if full { center.state } else { StateOf::<T, D, K>::default() };

@@ -14,7 +14,7 @@ use super::scenes::{Block, SOUND_SPEED};
 pub const FLIP: Flip = Flip { blend: Blend::PerStep(1.0) };
 pub const BLEND: Flip = Flip { blend: Blend::PerStep(0.7) };
 pub const GIMP: Gimp<f64> = Gimp { length: 0.5 };
-pub const MIXED: Mixed = Mixed { point_volume: PointVolume::VolumeFraction };
+pub const MIXED: Mixed = Mixed::new(PointVolume::VolumeFraction);
 
 /// A time step at Courant number 0.25.
 pub const DT: f64 = 0.25 * 0.09 / SOUND_SPEED;

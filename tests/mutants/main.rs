@@ -137,7 +137,7 @@ fn wrong_volumes_are_flagged() {
     // Half of each cell at the surface is filled.
     let lattice = Block { fluid: [[2.0, 6.5]; 2], ..Block::<2>::full(9, Boundary::Free) };
     let scene = lattice.scene();
-    let mixed = Mixed { point_volume: PointVolume::CarriedCapped };
+    let mixed = Mixed::new(PointVolume::CarriedCapped);
     let real = nodes_hold_the_mass(&scene, scheme(Linear, mls(), mixed, FLIP));
     let double = nodes_hold_the_mass(&scene, scheme(Linear, mls(), Wrong::<DOUBLE>, FLIP));
     let full = nodes_hold_the_mass(&scene, scheme(Linear, mls(), Wrong::<ALL_FULL>, FLIP));
