@@ -11,6 +11,7 @@ use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::particles::Particles;
 use crate::quadrature::{Quadrature, classify};
+use crate::rearrangement::{Ledger, RearrangerOf};
 use crate::scene::Scene;
 use crate::scene_check::{
     check_energy_update, check_material, check_points, linear_law, minimum_density,
@@ -55,6 +56,10 @@ where
     pub time: f64,
     /// Limiter of the pressure's slope in a cell; `None`: off.
     pub pressure_limiter: Option<PressureLimiter>,
+    /// What rearrangement did.
+    pub ledger: Ledger<D>,
+    pub(crate) rearranger: Option<Box<RearrangerOf<T, D, M, K>>>,
+    pub(crate) survey_is_stale: bool,
     means: Vec<CellMean<T, D>>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
     divergence: Vec<T>,
@@ -112,6 +117,9 @@ where
             counters: Counters::default(),
             time: 0.0,
             pressure_limiter: None,
+            ledger: Ledger::default(),
+            rearranger: None,
+            survey_is_stale: true,
             means: Vec::new(),
             spare: Particles::default(),
             divergence: Vec::new(),
@@ -127,6 +135,7 @@ where
     /// When a point fails; the solver must not be stepped again then.
     pub fn advance(&mut self, dt: T) -> Result<(), StepError> {
         self.bin_particles();
+        self.rearrange();
         self.count_work();
         self.limit_pressure();
         match self.method.stress_update() {
@@ -158,7 +167,7 @@ where
         Ok(())
     }
 
-    fn view<'a>(
+    pub(crate) fn view<'a>(
         method: &'a M,
         physics: &'a Physics<T, D, K>,
         grid: &'a Grid<T, D>,
@@ -174,6 +183,7 @@ where
         let binned = cells.bin(grid, particles, spare);
         self.counters.n_sorts += u64::from(binned != Binned::Unchanged);
         if binned == Binned::NewCells {
+            self.survey_is_stale = true;
             nodes.activate(grid, &self.method.shape(), cells, &self.physics.boundaries);
             if <M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
                 classify(grid, cells);

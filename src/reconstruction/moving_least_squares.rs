@@ -228,6 +228,10 @@ where
         self.support
     }
 
+    fn unlimited(&self, least: T) -> Self {
+        Self { support: self.support.max(least), positivity: None, ..*self }
+    }
+
     /// Own points are those of the cell.
     #[inline(always)]
     fn fit_center<S: Simd, F: Field<T>>(
