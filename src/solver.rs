@@ -22,7 +22,7 @@ use crate::step::{
     AffineOf, CellMean, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics,
     ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
     grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
-    rebuild_centers, update_grid,
+    rebuild_centers, stretch, update_grid,
 };
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
@@ -167,7 +167,12 @@ where
         Ok(())
     }
 
-    pub(crate) fn view<'a>(
+    /// Everything that a phase may read.
+    pub(crate) fn as_view(&self) -> View<'_, T, D, M, K> {
+        Self::view(&self.method, &self.physics, &self.grid, &self.cells, &self.particles)
+    }
+
+    fn view<'a>(
         method: &'a M,
         physics: &'a Physics<T, D, K>,
         grid: &'a Grid<T, D>,
@@ -281,6 +286,9 @@ where
     /// # Errors
     /// When a point fails.
     pub fn grid_to_particles(&mut self, dt: T, pass: Pass) -> Result<(), StepError> {
+        if pass.motion && !self.particles.length.is_empty() {
+            self.stretch(dt);
+        }
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
         let rebuilt = self.strain_is_rebuilt;
         let velocity = if rebuilt { &nodes.rebuilt } else { &nodes.velocity };
@@ -296,6 +304,14 @@ where
             self.counters.n_viscous_pressures += count as u64;
         }
         outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
+    }
+
+    /// Lengths of the points, where they carry any.
+    fn stretch(&mut self, dt: T) {
+        let Self { method, grid, cells, particles, nodes, .. } = self;
+        let grid = (&*grid, &*cells, &method.shape());
+        let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
+        stretch(grid, nodes, &particles.position, &mut particles.length);
     }
 
     fn describe(&self, point: usize, failure: Failure) -> StepError {

@@ -133,8 +133,7 @@ where
         let at = self.grid.cell_coordinates(cell);
         let volume = self.grid.cell_volume() / T::from_index(n);
         let reconstruction = self.method.reconstruction().unlimited(least_support);
-        let view =
-            Self::view(&self.method, &self.physics, &self.grid, &self.cells, &self.particles);
+        let view = self.as_view();
         let mut counters = Counters::default();
         for code in 0..n {
             let target = place(at, code, per_axis);

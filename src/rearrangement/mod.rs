@@ -6,6 +6,8 @@ mod fill;
 mod fracture;
 mod ledger;
 mod reduce;
+mod shift;
+mod split;
 
 pub use fracture::{Survey, survey};
 pub use ledger::{Event, EventKind, EventSum, Ledger, Totals};
@@ -20,7 +22,7 @@ use crate::method::Method;
 use crate::particles::Particles;
 use crate::reconstruction::Reconstruction;
 use crate::scene_check::check_rearrangement;
-use crate::settings::Rearrangement;
+use crate::settings::{Rearrangement, Split};
 use crate::simd::Simd;
 use crate::solver::Solver;
 use crate::step::{AffineOf, StateOf, View};
@@ -32,6 +34,8 @@ pub struct Rearranger<T, const D: usize, A, S> {
     settings: Rearrangement,
     survey: Survey,
     fresh: Particles<T, D, A, S>,
+    moved: Vec<shift::Moved<T, D, S>>,
+    n_steps: u32,
     next_id: u32,
     initial_mass: f64,
     created_mass: f64,
@@ -64,17 +68,23 @@ where
         &mut self,
         settings: Option<Rearrangement>,
     ) -> Result<(), InvalidInput> {
-        let Some(settings) = settings else {
-            self.rearranger = None;
-            return Ok(());
-        };
-        check_rearrangement::<T, D, M>(&settings)?;
+        if let Some(settings) = &settings {
+            check_rearrangement::<T, D, M>(settings)?;
+        }
+        let used = self.rearranger.take().map_or(0, |kept| kept.next_id);
+        self.particles.length = Vec::new();
+        let Some(settings) = settings else { return Ok(()) };
+        if let Some(Split::Stretch(_)) = settings.split {
+            self.particles.length = self.initial_lengths();
+        }
         let p = &self.particles;
         self.rearranger = Some(Box::new(Rearranger {
             settings,
             survey: Survey::new(&self.grid),
             fresh: Particles::default(),
-            next_id: p.id.iter().max().map_or(0, |&id| id.saturating_add(1)),
+            moved: Vec::new(),
+            n_steps: 0,
+            next_id: p.id.iter().fold(used, |next, &id| next.max(id.saturating_add(1))),
             initial_mass: p.mass.iter().map(|mass| mass.as_f64()).sum(),
             created_mass: 0.0,
         }));
@@ -85,7 +95,7 @@ where
     /// Adds, takes away, moves and splits points, as far as that was set; points stay sorted.
     pub fn rearrange(&mut self) {
         let Some(mut kept) = self.rearranger.take() else { return };
-        let Rearrangement { fill, most_points, .. } = kept.settings;
+        let Rearrangement { fill, most_points, shift, split } = kept.settings;
         self.look_around(&mut kept);
         if let Some(fill) = fill {
             self.fill(fill, &mut kept);
@@ -93,6 +103,17 @@ where
         }
         if let Some(most_points) = most_points {
             self.reduce(most_points, &mut kept);
+        }
+        if let Some(shift) = shift {
+            kept.n_steps += 1;
+            if kept.n_steps == shift.interval {
+                kept.n_steps = 0;
+                self.shift(shift, &mut kept);
+                self.look_around(&mut kept);
+            }
+        }
+        if let Some(split) = split {
+            self.split(split, &mut kept);
         }
         self.rearranger = Some(kept);
     }
