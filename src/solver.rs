@@ -22,7 +22,7 @@ use crate::step::{
     AffineOf, CellMean, Center, Failure, GridState, NodeForces, ParticlesOf, Pass, Physics,
     ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
     grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
-    rebuild_centers, stretch, update_grid,
+    rebuild_centers, update_grid,
 };
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
@@ -286,8 +286,8 @@ where
     /// # Errors
     /// When a point fails.
     pub fn grid_to_particles(&mut self, dt: T, pass: Pass) -> Result<(), StepError> {
-        if pass.motion && !self.particles.length.is_empty() {
-            self.stretch(dt);
+        if pass.motion {
+            self.stretch_lengths(dt);
         }
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
         let rebuilt = self.strain_is_rebuilt;
@@ -304,14 +304,6 @@ where
             self.counters.n_viscous_pressures += count as u64;
         }
         outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
-    }
-
-    /// Lengths of the points, where they carry any.
-    fn stretch(&mut self, dt: T) {
-        let Self { method, grid, cells, particles, nodes, .. } = self;
-        let grid = (&*grid, &*cells, &method.shape());
-        let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
-        stretch(grid, nodes, &particles.position, &mut particles.length);
     }
 
     fn describe(&self, point: usize, failure: Failure) -> StepError {

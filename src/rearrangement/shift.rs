@@ -36,7 +36,8 @@ where
     /// Pushes the points of internal cells apart, all from the places where they were before:
     ///
     /// ```text
-    /// δx_p = s h/2 Σ_q (1 − r/d₀) (x_p − x_q)/r,   r = |x_p − x_q| < d₀ = h / n_c^(1/D),   |δx_p| ≤ s h/2
+    /// δx_p = s h/2 Σ_q (1 − r/d₀) (x_p − x_q)/r,   |δx_p| ≤ s h/2
+    /// r = |x_p − x_q| < d₀ = h / n_c^(1/D)
     /// ```
     ///
     /// with the strength s, the smallest cell size h and the n_c points of the cell of p. What a point

@@ -7,7 +7,7 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::settings::Split;
 use crate::solver::Solver;
-use crate::step::settle;
+use crate::step::{settle, stretch};
 
 /// Half distances of the parts of a point along each axis, m; zero: not split along it.
 type Parts<T, const D: usize> = [T; D];
@@ -22,6 +22,17 @@ where
     pub(super) fn initial_lengths(&self) -> Vec<[T; D]> {
         let p = &self.particles;
         (0..p.len()).map(|point| self.length_by_volume(point)).collect()
+    }
+
+    /// Stretches the lengths of the points with the flow, where they carry any.
+    pub(crate) fn stretch_lengths(&mut self, dt: T) {
+        let Self { method, grid, cells, particles, nodes, .. } = self;
+        if particles.length.is_empty() {
+            return;
+        }
+        let grid = (&*grid, &*cells, &method.shape());
+        let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
+        stretch(grid, nodes, &particles.position, &mut particles.length);
     }
 
     fn length_by_volume(&self, point: usize) -> [T; D] {
