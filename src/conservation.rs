@@ -7,6 +7,7 @@ use crate::method::Method;
 use crate::shape::ShapeFunction;
 use crate::simulation::Conserved;
 use crate::solver::Solver;
+use crate::step::ParticlesOf;
 use crate::transfer::Transfer;
 
 impl<const D: usize> Conserved<D> {
@@ -53,20 +54,34 @@ where
     pub fn particle_totals(&self) -> Conserved<D> {
         let p = &self.particles;
         let mut totals = Conserved::zero();
-        for k in (0..p.len()).filter(|&k| p.cell[k] != ABSENT) {
-            let mass = p.mass[k].as_f64();
-            let momentum = p.velocity[k].map(|v| mass * v.as_f64());
-            totals.add(mass, p.position[k].map(Scalar::as_f64), momentum);
-            totals.internal_energy += mass * K::energy(&p.state[k]).as_f64();
-            if <M::Transfer as Transfer<T, D>>::AFFINE {
-                self.add_affine(k, &mut totals);
-            }
+        for k in (0..p.len()).filter(|&k| self.is_present(k)) {
+            self.add_conserved(p, k, &mut totals);
         }
         totals
     }
 
-    fn add_affine(&self, k: usize, totals: &mut Conserved<D>) {
-        let p = &self.particles;
+    /// Whether a point has not left through a free face.
+    pub(crate) fn is_present(&self, point: usize) -> bool {
+        self.particles.cell[point] != ABSENT
+    }
+
+    /// Adds point `k` of some points, whose cells are known, to totals.
+    pub(crate) fn add_conserved(
+        &self,
+        p: &ParticlesOf<T, D, M, K>,
+        k: usize,
+        totals: &mut Conserved<D>,
+    ) {
+        let mass = p.mass[k].as_f64();
+        let momentum = p.velocity[k].map(|v| mass * v.as_f64());
+        totals.add(mass, p.position[k].map(Scalar::as_f64), momentum);
+        totals.internal_energy += mass * K::energy(&p.state[k]).as_f64();
+        if <M::Transfer as Transfer<T, D>>::AFFINE {
+            self.add_affine(p, k, totals);
+        }
+    }
+
+    fn add_affine(&self, p: &ParticlesOf<T, D, M, K>, k: usize, totals: &mut Conserved<D>) {
         let cell = self.grid.cell_coordinates(p.cell[k]);
         let shape = self.method.shape();
         let second_moment: [f64; D] = std::array::from_fn(|axis| {

@@ -127,6 +127,26 @@ impl<T: Scalar> EquationOfState<T> {
         }
     }
 
+    /// Energy of compression ∫ p/ρ² dρ from rest, J/kg, of a law without internal energy; else zero.
+    pub fn compression_energy(&self, density: T) -> T {
+        match *self {
+            Self::WeaklyCompressible(law) => {
+                let ratio = density / law.reference_density;
+                law.sound_speed_squared * (ratio.ln() + T::one() / ratio - T::one())
+            }
+            Self::Tait { reference_density, modulus, exponent } => {
+                let (ratio, power) = (density / reference_density, exponent - T::one());
+                let rise = if power > T::zero() {
+                    (ratio.powf(power) - T::one()) / power
+                } else {
+                    ratio.ln()
+                };
+                modulus / reference_density * (rise + T::one() / ratio - T::one())
+            }
+            Self::StiffenedGas { .. } => T::zero(),
+        }
+    }
+
     /// Speed of sound, m/s; zero where the law has none.
     #[inline]
     pub fn sound_speed(&self, density: T, energy: T) -> T {
@@ -204,6 +224,22 @@ mod tests {
             let squared = along_density + pressure / (density * density) * along_energy;
             let found = law.sound_speed(density, energy);
             assert_near(found * found / squared, 1.0, 1e-7);
+        }
+    }
+
+    /// p = ρ² de/dρ.
+    #[test]
+    fn compression_energy_is_the_integral_of_pressure() {
+        let exponent = 1.0;
+        let isothermal =
+            EquationOfStateSpec::Tait { reference_density: 1000.0, sound_speed: 50.0, exponent };
+        for spec in WATER.iter().chain([&isothermal]) {
+            let (density, d) = (1020.0, 1e-2);
+            let energy = |density| law(spec).compression_energy(density);
+            let slope = (energy(density + d) - energy(density - d)) / (2.0 * d);
+            let pressure = law(spec).pressure(density, 0.0);
+            assert_near(density * density * slope / pressure, 1.0, 1e-6);
+            assert_eq!(energy(1000.0), 0.0);
         }
     }
 

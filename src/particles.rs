@@ -9,7 +9,7 @@ pub const POINT_GRAIN: usize = 4096;
 
 /// State of all points; `A` is the affine velocity field and `S` the state of the material, both `()` when absent.
 ///
-/// All arrays have the same length. An absent ingredient is an array of `()`, which takes no memory.
+/// All arrays but `length` have the same length. An absent ingredient is an array of `()`, which takes no memory.
 #[derive(Clone, Debug)]
 pub struct Particles<T, const D: usize, A, S> {
     /// Identifier given at creation.
@@ -28,6 +28,8 @@ pub struct Particles<T, const D: usize, A, S> {
     pub affine: Vec<A>,
     /// What the material carries besides density: stress, internal energy.
     pub state: Vec<S>,
+    /// Lengths along the axes, m, that the flow stretches; empty unless points are split by them.
+    pub length: Vec<[T; D]>,
 }
 
 impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
@@ -41,6 +43,7 @@ impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
             mass: Vec::new(),
             affine: Vec::new(),
             state: Vec::new(),
+            length: Vec::new(),
         }
     }
 }
@@ -89,6 +92,33 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         permute(&mut self.mass, &source.mass, order);
         permute(&mut self.affine, &source.affine, order);
         permute(&mut self.state, &source.state, order);
+        permute(&mut self.length, &source.length, order);
+    }
+
+    /// Moves all points of another set to the end of this one.
+    pub fn append(&mut self, other: &mut Self) {
+        self.id.append(&mut other.id);
+        self.cell.append(&mut other.cell);
+        self.position.append(&mut other.position);
+        self.velocity.append(&mut other.velocity);
+        self.density.append(&mut other.density);
+        self.mass.append(&mut other.mass);
+        self.affine.append(&mut other.affine);
+        self.state.append(&mut other.state);
+        self.length.append(&mut other.length);
+    }
+
+    /// Drops all points but the first `n`.
+    pub fn truncate(&mut self, n: usize) {
+        self.id.truncate(n);
+        self.cell.truncate(n);
+        self.position.truncate(n);
+        self.velocity.truncate(n);
+        self.density.truncate(n);
+        self.mass.truncate(n);
+        self.affine.truncate(n);
+        self.state.truncate(n);
+        self.length.truncate(n);
     }
 
     /// A range of the points, every array cut to the same length.

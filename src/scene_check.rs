@@ -8,8 +8,9 @@ use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
 use crate::quadrature::Quadrature;
+use crate::reconstruction::Reconstruction;
 use crate::scene::Scene;
-use crate::settings::StressUpdate;
+use crate::settings::{Rearrangement, StressUpdate};
 use crate::transfer::Transfer;
 
 /// Checks that every point lies in the box and has a positive density and mass.
@@ -143,6 +144,45 @@ where
         let allowed = "`strain`; `work` needs FLIP, carried values, the standard formulation and the \
                        stress updated last";
         return Err(InvalidInput::new("settings.energy_update", "`work`", allowed));
+    }
+    Ok(())
+}
+
+/// A rearrangement has what it needs from the method.
+///
+/// # Errors
+/// When a setting is out of range, points are added or moved without reconstructed fields or split
+/// with them, or a reduced cell would be reduced again.
+pub fn check_rearrangement<T, const D: usize, M>(
+    settings: &Rearrangement,
+) -> Result<(), InvalidInput>
+where
+    T: Scalar,
+    M: Method<T, D>,
+{
+    settings.check()?;
+    let field = |name: &str| format!("settings.rearrangement.{name}");
+    let least = 1_u32 << D;
+    if let Some(n) = settings.most_points.filter(|&n| n < least) {
+        let allowed = format!("at least the {least} points that a reduced cell gets");
+        return Err(InvalidInput::new(field("most_points"), n, allowed));
+    }
+    let reconstructs = <M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES;
+    let rebuilt = "absent, or a method that reconstructs fields";
+    let parts = [
+        ("fill", settings.fill.is_some() && !reconstructs, rebuilt),
+        ("most_points", settings.most_points.is_some() && !reconstructs, rebuilt),
+        ("shift", settings.shift.is_some() && !reconstructs, rebuilt),
+        (
+            "split",
+            settings.split.is_some() && reconstructs,
+            "absent, or a method with carried values",
+        ),
+    ];
+    for (name, refused, allowed) in parts {
+        if refused {
+            return Err(InvalidInput::new(field(name), "present", allowed));
+        }
     }
     Ok(())
 }

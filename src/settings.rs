@@ -36,6 +36,9 @@ pub struct Settings {
     pub bulk_viscosity: Option<BulkViscosity>,
     /// How the internal energy is updated, where the scene has one.
     pub energy_update: EnergyUpdate,
+    /// Points added, taken away, moved or split between steps; absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rearrangement: Option<Rearrangement>,
 }
 
 impl Default for Settings {
@@ -53,6 +56,7 @@ impl Default for Settings {
             pressure_limiter: None,
             bulk_viscosity: None,
             energy_update: EnergyUpdate::Strain,
+            rearrangement: None,
         }
     }
 }
@@ -104,7 +108,7 @@ impl Settings {
                 return Err(InvalidInput::new(format!("settings.{field}"), value, allowed));
             }
         }
-        Ok(())
+        self.rearrangement.map_or(Ok(()), |rearrangement| rearrangement.check())
     }
 }
 
@@ -154,6 +158,112 @@ pub enum EnergyUpdate {
     /// By the work that the nodes do on the point and the kinetic energy lost in the transfer, which
     /// keeps the total energy to round-off; FLIP and its blends, carried values, updated last.
     Work,
+}
+
+/// What is done to the points between steps, after \[Song2020\]; each part is off where absent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Rearrangement {
+    /// Points put into numerical fractures; methods that reconstruct fields.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fill: Option<Fill>,
+    /// N_m: an internal cell with more points gets new ones, 2 per axis; methods that reconstruct fields.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub most_points: Option<u32>,
+    /// Points pushed apart; methods that reconstruct fields.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shift: Option<Shift>,
+    /// Points split where they stand for too much fluid; methods with carried values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub split: Option<Split>,
+}
+
+impl Rearrangement {
+    /// Checks every part against its range.
+    ///
+    /// # Errors
+    /// Names the first one out of range, its value and what is allowed.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        let budget = match self.fill {
+            Some(Fill { mass: FillMass::Budget(share), .. }) => share,
+            _ => 0.0,
+        };
+        let Shift { strength, interval } =
+            self.shift.unwrap_or(Shift { strength: 1.0, interval: 1 });
+        let ratio = match self.split {
+            Some(Split::Volume(ratio) | Split::Stretch(ratio)) => ratio,
+            None => 1.0,
+        };
+        let most_points = self.most_points.unwrap_or(1);
+        let checks = [
+            ("fill.mass", budget, "a share of the initial mass from 0 on", budget >= 0.0),
+            ("most_points", f64::from(most_points), "at least 1 point", most_points > 0),
+            ("shift.strength", strength, "0 < strength ≤ 1", strength > 0.0 && strength <= 1.0),
+            ("shift.interval", f64::from(interval), "at least 1 step", interval > 0),
+            ("split", ratio, "a ratio to the cell size of at least 0.25", ratio >= 0.25),
+        ];
+        for (field, value, allowed, holds) in checks {
+            if !(holds && value.is_finite()) {
+                let field = format!("settings.rearrangement.{field}");
+                return Err(InvalidInput::new(field, value, allowed));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// New points for a cell that is empty although the fluid fills it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fill {
+    /// How many, and where.
+    pub points: FillPoints,
+    /// Where their nominal mass comes from.
+    pub mass: FillMass,
+}
+
+/// Pattern of new points in a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FillPoints {
+    /// One at the centre.
+    Center,
+    /// Two per axis, at the quarter points.
+    Quarters,
+}
+
+/// Where the nominal mass ρ V of new points comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FillMass {
+    /// It is created without limit, as printed in \[Song2020\].
+    Created,
+    /// It is created as long as all that was created is at most this share of the initial mass; fills
+    /// beyond that are refused and counted. Mass that leaves through free faces gives no credit.
+    Budget(f64),
+    /// The points of the cells around give it in proportion to their masses, each at most half of its
+    /// own per fill, so that the total stays to round-off.
+    Donated,
+}
+
+/// Pairs of points that are too close repel each other.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Shift {
+    /// Largest displacement in halves of the smallest cell size.
+    pub strength: f64,
+    /// Steps from one application to the next.
+    pub interval: u32,
+}
+
+/// When a point is split, by a ratio α to the cell size, after \[Ma2009\].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Split {
+    /// In two along every axis when its volume m/ρ exceeds α^D cells.
+    Volume(f64),
+    /// In two along the axis of greatest length when the length that it carries exceeds α cells.
+    Stretch(f64),
 }
 
 /// Limiter of the pressure's slope in a cell, which replaces the pressures of the cell's points.

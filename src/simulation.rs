@@ -5,6 +5,7 @@ use crate::cells::ABSENT;
 use crate::error::StepError;
 use crate::material::Material;
 use crate::method::Method;
+use crate::rearrangement::Ledger;
 use crate::solver::Solver;
 use crate::step::{ParticlesOf, fuses_impulse};
 use crate::telemetry::Counters;
@@ -105,6 +106,9 @@ pub trait Simulation<const D: usize>: Send {
     /// Work and event counters since the start.
     fn counters(&self) -> Counters;
 
+    /// What rearrangement did since the start.
+    fn ledger(&self) -> &Ledger<D>;
+
     /// Bytes of state that each point carries.
     fn bytes_per_point(&self) -> usize;
 }
@@ -173,7 +177,12 @@ where
         self.counters
     }
 
+    fn ledger(&self) -> &Ledger<D> {
+        &self.ledger
+    }
+
     fn bytes_per_point(&self) -> usize {
-        ParticlesOf::<T, D, M, K>::bytes_per_point()
+        let stretched = if self.particles.length.is_empty() { 0 } else { size_of::<[T; D]>() };
+        ParticlesOf::<T, D, M, K>::bytes_per_point() + stretched
     }
 }

@@ -13,6 +13,7 @@ use crate::particles::Particles;
 use crate::quadrature::{
     Quadrature, classify, classify_by_volume, mark_near_surface, wetted_sites,
 };
+use crate::rearrangement::{Ledger, RearrangerOf};
 use crate::scene::Scene;
 use crate::scene_check::{
     check_energy_update, check_material, check_points, linear_law, minimum_density,
@@ -57,6 +58,10 @@ where
     pub time: f64,
     /// Limiter of the pressure's slope in a cell; `None`: off.
     pub pressure_limiter: Option<PressureLimiter>,
+    /// What rearrangement did.
+    pub ledger: Ledger<D>,
+    pub(crate) rearranger: Option<Box<RearrangerOf<T, D, M, K>>>,
+    pub(crate) survey_is_stale: bool,
     means: Vec<CellMean<T, D>>,
     sites: Vec<[T; D]>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
@@ -115,6 +120,9 @@ where
             counters: Counters::default(),
             time: 0.0,
             pressure_limiter: None,
+            ledger: Ledger::default(),
+            rearranger: None,
+            survey_is_stale: true,
             means: Vec::new(),
             sites: Vec::new(),
             spare: Particles::default(),
@@ -131,6 +139,7 @@ where
     /// When a point fails; the solver must not be stepped again then.
     pub fn advance(&mut self, dt: T) -> Result<(), StepError> {
         self.bin_particles();
+        self.rearrange();
         self.count_work();
         self.limit_pressure();
         match self.method.stress_update() {
@@ -162,6 +171,11 @@ where
         Ok(())
     }
 
+    /// Everything that a phase may read.
+    pub(crate) fn as_view(&self) -> View<'_, T, D, M, K> {
+        Self::view(&self.method, &self.physics, &self.grid, &self.cells, &self.particles)
+    }
+
     fn view<'a>(
         method: &'a M,
         physics: &'a Physics<T, D, K>,
@@ -178,6 +192,7 @@ where
         let binned = cells.bin(grid, particles, spare);
         self.counters.n_sorts += u64::from(binned != Binned::Unchanged);
         if binned == Binned::NewCells {
+            self.survey_is_stale = true;
             nodes.activate(grid, &self.method.shape(), cells, &self.physics.boundaries);
         }
         if <M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
@@ -294,6 +309,9 @@ where
     /// # Errors
     /// When a point fails.
     pub fn grid_to_particles(&mut self, dt: T, pass: Pass) -> Result<(), StepError> {
+        if pass.motion {
+            self.stretch_lengths(dt);
+        }
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
         let rebuilt = self.strain_is_rebuilt;
         let velocity = if rebuilt { &nodes.rebuilt } else { &nodes.velocity };

@@ -31,6 +31,18 @@ pub struct Counters {
     pub n_pressure_cutoffs: u64,
     /// Points removed through a free face.
     pub n_points_removed: u64,
+    /// Σ over steps of the numerical fractures found where they are filled.
+    pub n_fracture_cells: u64,
+    /// Points put into numerical fractures.
+    pub n_points_filled: u64,
+    /// Fractures not filled: no mass left in the budget, or no sound field around.
+    pub n_fills_refused: u64,
+    /// Cells whose points were replaced by fewer.
+    pub n_cells_reduced: u64,
+    /// Σ over applications of the points pushed apart.
+    pub n_points_shifted: u64,
+    /// Points split.
+    pub n_points_split: u64,
 }
 
 impl Counters {
@@ -52,11 +64,17 @@ impl Counters {
             n_viscous_pressures: self.n_viscous_pressures + other.n_viscous_pressures,
             n_pressure_cutoffs: self.n_pressure_cutoffs + other.n_pressure_cutoffs,
             n_points_removed: self.n_points_removed + other.n_points_removed,
+            n_fracture_cells: self.n_fracture_cells + other.n_fracture_cells,
+            n_points_filled: self.n_points_filled + other.n_points_filled,
+            n_fills_refused: self.n_fills_refused + other.n_fills_refused,
+            n_cells_reduced: self.n_cells_reduced + other.n_cells_reduced,
+            n_points_shifted: self.n_points_shifted + other.n_points_shifted,
+            n_points_split: self.n_points_split + other.n_points_split,
         }
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 14] {
+    pub fn entries(&self) -> [(&'static str, u64); 20] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -72,6 +90,12 @@ impl Counters {
             ("n_viscous_pressures", self.n_viscous_pressures),
             ("n_pressure_cutoffs", self.n_pressure_cutoffs),
             ("n_points_removed", self.n_points_removed),
+            ("n_fracture_cells", self.n_fracture_cells),
+            ("n_points_filled", self.n_points_filled),
+            ("n_fills_refused", self.n_fills_refused),
+            ("n_cells_reduced", self.n_cells_reduced),
+            ("n_points_shifted", self.n_points_shifted),
+            ("n_points_split", self.n_points_split),
         ]
     }
 }

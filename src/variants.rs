@@ -12,8 +12,8 @@ use crate::quadrature::{Mixed, Particle};
 use crate::reconstruction::{Carried, MovingLeastSquares};
 use crate::scene::Scene;
 pub use crate::settings::{
-    Blend, BoundaryCriterion, BulkViscosity, EnergyUpdate, PointVolume, PressureLimiter, Settings,
-    StressUpdate,
+    Blend, BoundaryCriterion, BulkViscosity, EnergyUpdate, Fill, FillMass, FillPoints, PointVolume,
+    PressureLimiter, Rearrangement, Settings, Shift, Split, StressUpdate,
 };
 use crate::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
 use crate::simulation::Simulation;
@@ -243,6 +243,7 @@ where
     fn solve(&self, method: impl Method<f64, D>, material: impl Material<f64, D>) -> Built<D> {
         let mut solver = Solver::new(self.scene, method, material)?;
         solver.pressure_limiter = self.settings.pressure_limiter;
+        solver.set_rearrangement(self.settings.rearrangement)?;
         Ok(Box::new(solver))
     }
 

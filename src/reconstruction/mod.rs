@@ -24,6 +24,13 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
     /// Half width of the support along each axis, cells; zero: only the points of the cell itself.
     fn support(&self) -> T;
 
+    /// The same without its limiter and with a support of at least `least` cells, for values that new or
+    /// moved points are given.
+    #[must_use]
+    fn unlimited(&self, _least: T) -> Self {
+        *self
+    }
+
     /// Fits a field at the centre of an active cell; `field(p)` is its value at point `p`.
     fn fit_center<S: Simd, F: Field<T>>(
         &self,

@@ -229,6 +229,14 @@ where
         self.support
     }
 
+    fn unlimited(&self, least: T) -> Self {
+        Self {
+            support: self.support.max(least),
+            limiters: Limiters { positivity: None, ..self.limiters },
+            ..*self
+        }
+    }
+
     /// Own points are those of the cell.
     #[inline(always)]
     fn fit_center<S: Simd, F: Field<T>>(
