@@ -19,6 +19,7 @@ pub use vof::{VofQuantity, VofSpacing, outline, vof};
 
 const TIME: &str = "T = t*sqrt(h0*g)/l0 [-]";
 const TIME_BY_HEIGHT: &str = "T_paper = t*sqrt(H*g/L0^2) [-]";
+
 macro_rules! data_set {
     ($name:literal, $columns:expr, $ascent:expr) => {
         DataSet {

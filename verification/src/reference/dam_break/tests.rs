@@ -15,9 +15,9 @@ fn every_file_is_declared_and_loads() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference-data/dam-break");
     let found: BTreeSet<String> = std::fs::read_dir(folder)
         .expect("the folder")
-        .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-        .filter(|name| name.ends_with(".csv"))
-        .map(|name| format!("dam-break/{name}"))
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "csv"))
+        .filter_map(|path| Some(format!("dam-break/{}", path.file_name()?.to_string_lossy())))
         .collect();
     let declared: BTreeSet<String> = ALL.iter().map(|set| set.path.to_owned()).collect();
     assert_eq!(found, declared);
