@@ -1,4 +1,6 @@
 //! Animations of rasters as PNG files with several frames.
+//!
+//! A rough field takes about two bytes per cell with a value and frame; empty cells take none.
 
 use anyhow::{Context, Result, ensure};
 use png::{BlendOp, DisposeOp};
