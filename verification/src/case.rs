@@ -1,5 +1,7 @@
 //! What a study provides: its runs, and what follows from their records.
 
+mod raster;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -11,6 +13,7 @@ use crate::number::nullable;
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
+pub use raster::Raster;
 
 /// How much of a study is run. The code is the same, the levels differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
@@ -152,6 +155,8 @@ pub struct Findings {
     pub rows: Vec<Row>,
     /// Sampled curves; none where the run blew up.
     pub profiles: Vec<Profile>,
+    /// Fields and classifications on the cells of a plane grid; most runs have none.
+    pub rasters: Vec<Raster>,
     /// Work and event counters by name.
     pub counters: BTreeMap<String, u64>,
     /// Wall time of the work itself, without set-up and measurement, s.
@@ -172,6 +177,7 @@ impl Findings {
             outcome: Outcome::NotBuilt { reason: reason.to_string() },
             rows,
             profiles: Vec::new(),
+            rasters: Vec::new(),
             counters: BTreeMap::new(),
             seconds: 0.0,
         }

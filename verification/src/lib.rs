@@ -19,5 +19,6 @@ pub mod number;
 pub mod plan;
 pub mod progress;
 pub mod record;
+pub mod reference;
 pub mod report;
 pub mod run;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Outcome, Profile, Row, RunSpec};
+use crate::case::{Outcome, Profile, Raster, Row, RunSpec};
 use crate::machine::Manifest;
 use crate::number::{nullable, significant};
 
@@ -26,6 +26,9 @@ pub struct RunRecord {
     /// Sampled curves.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub profiles: Vec<Profile>,
+    /// Fields and classifications on the cells of a plane grid.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rasters: Vec<Raster>,
     /// Work and event counters by name.
     pub counters: BTreeMap<String, u64>,
     /// Wall time of the work itself, s.
@@ -44,6 +47,11 @@ impl RunRecord {
     /// The curve of that name.
     pub fn profile(&self, name: &str) -> Option<&Profile> {
         self.profiles.iter().find(|profile| profile.name == name)
+    }
+
+    /// The raster of that name.
+    pub fn raster(&self, name: &str) -> Option<&Raster> {
+        self.rasters.iter().find(|raster| raster.name == name)
     }
 
     /// Wall time per point and step, s; not a number if no step was taken.

@@ -125,6 +125,7 @@ fn one(planned: &Planned, key: &str, manifest: &Manifest, progress: &Progress) -
         outcome: findings.outcome,
         rows: findings.rows,
         profiles: findings.profiles,
+        rasters: findings.rasters,
         counters: findings.counters,
         seconds: findings.seconds,
         manifest: Manifest { total_seconds, ..manifest.clone() },

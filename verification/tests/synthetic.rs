@@ -33,6 +33,7 @@ fn record(spec: RunSpec, size: f64, order: f64) -> RunRecord {
         outcome: Outcome::Completed,
         rows: rows.to_vec(),
         profiles: Vec::new(),
+        rasters: Vec::new(),
         counters: BTreeMap::from([("n_point_updates".to_owned(), 1_000_000)]),
         seconds: 0.5,
         manifest: Manifest::gather(1, 1),
@@ -182,6 +183,7 @@ impl Case for Fragile {
                 scale: f64::NAN,
             }],
             profiles: Vec::new(),
+            rasters: Vec::new(),
             counters: BTreeMap::new(),
             seconds: 0.0,
         }

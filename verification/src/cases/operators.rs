@@ -184,6 +184,7 @@ impl Case for Operators {
             outcome: Outcome::Completed,
             rows,
             profiles: Vec::new(),
+            rasters: Vec::new(),
             counters: BTreeMap::from([
                 ("n_samples".to_owned(), smooth.len() as u64),
                 ("n_singular_fallbacks".to_owned(), n_fallbacks),

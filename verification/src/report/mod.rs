@@ -3,8 +3,11 @@
 //! `accuracy/` holds what any machine reproduces (no times, no machine facts) and is committed;
 //! `timing/` holds what belongs to this machine and is not.
 
+pub mod animation;
 pub mod axis;
+pub mod map;
 pub mod page;
+pub mod palette;
 pub mod plot;
 pub mod raster;
 pub mod style;
@@ -21,6 +24,8 @@ use crate::judge::Check;
 use crate::number::{bound, significant};
 use crate::plan::Plan;
 use crate::record::{RunRecord, tidy_csv, write_whole};
+use animation::Animation;
+use map::MapFigure;
 use plot::Figure;
 use table::Table;
 
@@ -38,13 +43,17 @@ pub enum Area {
 pub enum Content {
     /// Written as SVG and PNG to `figures/`.
     Figure(Figure),
+    /// Written as SVG and PNG to `figures/`.
+    Maps(MapFigure),
+    /// Written as a PNG file with several frames to `animations/`.
+    Animation(Animation),
     /// Written as CSV and Markdown to `tables/`.
     Table(Table),
     /// Written as CSV to `profiles/`: sampled curves side by side, too long for a page.
     Profiles(Table),
 }
 
-/// A figure or table of a case.
+/// A figure, animation or table of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Artifact {
     /// File name without its ending.
@@ -139,11 +148,11 @@ fn of_case(records: &[RunRecord], name: &str) -> Vec<RunRecord> {
 
 fn write_artifact(folder: &Path, artifact: &Artifact) -> Result<()> {
     match &artifact.content {
-        Content::Figure(figure) => {
-            let path = folder.join("figures").join(&artifact.stem);
-            let svg = plot::svg(figure)?;
-            write_whole(&path.with_extension("svg"), svg.as_bytes())?;
-            write_whole(&path.with_extension("png"), &raster::png(&svg)?)
+        Content::Figure(figure) => write_figure(folder, &artifact.stem, &plot::svg(figure)?),
+        Content::Maps(figure) => write_figure(folder, &artifact.stem, &map::svg(figure)?),
+        Content::Animation(animation) => {
+            let path = folder.join("animations").join(&artifact.stem);
+            write_whole(&path.with_extension("png"), &animation::png(animation)?)
         }
         Content::Profiles(table) => {
             let path = folder.join("profiles").join(&artifact.stem);
@@ -156,6 +165,12 @@ fn write_artifact(folder: &Path, artifact: &Artifact) -> Result<()> {
             write_whole(&path.with_extension("md"), text.as_bytes())
         }
     }
+}
+
+fn write_figure(folder: &Path, stem: &str, svg: &str) -> Result<()> {
+    let path = folder.join("figures").join(stem);
+    write_whole(&path.with_extension("svg"), svg.as_bytes())?;
+    write_whole(&path.with_extension("png"), &raster::png(svg)?)
 }
 
 fn write_rows(path: &Path, columns: &[&str], rows: Vec<Vec<String>>) -> Result<()> {
@@ -226,3 +241,6 @@ fn timing_rows(records: &[RunRecord]) -> Vec<Vec<String>> {
     };
     records.iter().map(row).collect()
 }
+
+#[cfg(test)]
+mod tests;

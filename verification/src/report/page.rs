@@ -52,8 +52,11 @@ pub fn render(chapters: &[Chapter], events: &[Vec<String>]) -> String {
 fn embed(artifact: &Artifact) -> String {
     let stem = &artifact.stem;
     match &artifact.content {
-        Content::Figure(_) => {
+        Content::Figure(_) | Content::Maps(_) => {
             format!("![{}](figures/{stem}.svg)\n\n[PNG](figures/{stem}.png)\n", artifact.title)
+        }
+        Content::Animation(animation) => {
+            format!("![{}](animations/{stem}.png)\n\n{}\n", artifact.title, animation.note)
         }
         Content::Profiles(_) => format!("[CSV](profiles/{stem}.csv)\n"),
         Content::Table(table) => {

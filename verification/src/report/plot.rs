@@ -5,7 +5,7 @@ use plotters::prelude::{IntoDrawingArea, SVGBackend, WHITE};
 use plotters::style::Color;
 
 use super::axis::{Axis, Ruler, Scale};
-use super::style::{self, Anchor, Canvas, GRID, GUIDE, INK};
+use super::style::{self, Anchor, Canvas, GRID, GUIDE, INK, LARGE, NORMAL, SMALL};
 
 /// One curve.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,9 +78,6 @@ pub struct Figure {
 const PANEL: (i32, i32) = (900, 620);
 const TITLE: i32 = 70;
 const LEGEND: i32 = 230;
-const SMALL: u32 = 19;
-const NORMAL: u32 = 21;
-const LARGE: u32 = 26;
 
 /// Draws a figure as SVG text.
 ///

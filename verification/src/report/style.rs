@@ -16,6 +16,13 @@ pub const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
 /// Its family name.
 pub const FONT_FAMILY: &str = "DejaVu Sans";
 
+/// Size of labels and keys, pixels.
+pub const SMALL: u32 = 19;
+/// Size of titles of panels and axes, pixels.
+pub const NORMAL: u32 = 21;
+/// Size of the title of a figure, pixels.
+pub const LARGE: u32 = 26;
+
 /// Ink of axes and text.
 pub const INK: RGBColor = RGBColor(40, 40, 40);
 /// Major grid lines.

@@ -52,7 +52,7 @@ pub(super) fn execute<const D: usize>(
         counters.insert("n_measure_empty".to_owned(), measured.n_empty);
         (rows, profiles) = (measured.rows, measured.profiles);
     }
-    Findings { outcome, rows, profiles, counters, seconds }
+    Findings { outcome, rows, profiles, rasters: Vec::new(), counters, seconds }
 }
 
 /// The periodic box with the bump at rest.

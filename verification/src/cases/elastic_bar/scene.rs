@@ -78,7 +78,7 @@ pub(super) fn execute(
         (row.value, row.scale) = (value, scale);
     }
     let counters = counters(simulation.as_ref());
-    Findings { outcome, rows, profiles: Vec::new(), counters, seconds }
+    Findings { outcome, rows, profiles: Vec::new(), rasters: Vec::new(), counters, seconds }
 }
 
 /// The undeformed bar, its velocity half a step back.

@@ -177,6 +177,7 @@ fn records(tier: Tier, l1: f64) -> Vec<RunRecord> {
         outcome: Outcome::Completed,
         rows: rows.clone(),
         profiles: vec![profile.clone()],
+        rasters: Vec::new(),
         counters: BTreeMap::new(),
         seconds: 0.0,
         manifest: Manifest::gather(1, 1),

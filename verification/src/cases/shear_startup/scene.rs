@@ -97,7 +97,14 @@ pub(super) fn execute(
     }
     // What was measured before a blow-up stands.
     rows.extend(missing_rows(parameters).into_iter().skip(rows.len()));
-    Findings { outcome, rows, profiles, counters: counters(simulation.as_ref()), seconds }
+    Findings {
+        outcome,
+        rows,
+        profiles,
+        rasters: Vec::new(),
+        counters: counters(simulation.as_ref()),
+        seconds,
+    }
 }
 
 /// The channel and its points.

@@ -67,7 +67,7 @@ impl Run<'_> {
         } else {
             missing_rows(self.instant)
         };
-        Findings { outcome, rows, profiles: Vec::new(), counters, seconds }
+        Findings { outcome, rows, profiles: Vec::new(), rasters: Vec::new(), counters, seconds }
     }
 }
 

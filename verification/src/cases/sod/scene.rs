@@ -151,7 +151,7 @@ pub(super) fn execute(parameters: &Parameters, progress: &Progress) -> Findings 
     } else {
         (missing_rows(), Vec::new())
     };
-    Findings { outcome, rows, profiles, counters, seconds }
+    Findings { outcome, rows, profiles, rasters: Vec::new(), counters, seconds }
 }
 
 /// All rows, and every field averaged over cells.

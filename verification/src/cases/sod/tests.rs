@@ -137,6 +137,7 @@ fn records(tier: Tier, order: f64, drift: f64) -> Vec<RunRecord> {
             key: String::new(),
             outcome: Outcome::Completed,
             profiles: Vec::new(),
+            rasters: Vec::new(),
             counters: BTreeMap::new(),
             seconds: 0.0,
             manifest: Manifest::gather(1, 1),

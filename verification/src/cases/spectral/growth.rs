@@ -74,7 +74,14 @@ pub(super) fn measure<const D: usize>(
     });
     let counters = BTreeMap::from([("n_matrices".to_owned(), total)]);
     let seconds = start.elapsed().as_secs_f64();
-    Ok(Findings { outcome: Outcome::Completed, rows, profiles: Vec::new(), counters, seconds })
+    Ok(Findings {
+        outcome: Outcome::Completed,
+        rows,
+        profiles: Vec::new(),
+        rasters: Vec::new(),
+        counters,
+        seconds,
+    })
 }
 
 /// What is round-off, or the root of round-off in a defective eigenvalue, is reported by its
