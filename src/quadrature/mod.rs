@@ -3,10 +3,12 @@
 mod gauss;
 mod mixed;
 mod particle;
+mod plane;
 
 pub use gauss::Gauss;
 pub use mixed::{Mixed, classify};
 pub use particle::Particle;
+pub use plane::{Plane, Wetted, normal};
 
 use crate::Scalar;
 use crate::cells::CellKind;
