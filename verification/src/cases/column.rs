@@ -145,9 +145,13 @@ impl Case for Column {
             };
             for (volume, point_volume) in VOLUMES {
                 let settings = Settings { point_volume, ..Settings::default() };
-                WITH_VOLUMES.into_iter().for_each(|variant| add(variant, volume, settings));
+                for variant in WITH_VOLUMES {
+                    add(variant, volume, settings);
+                }
             }
-            CARRIED.into_iter().for_each(|variant| add(variant, NO_VOLUME, Settings::default()));
+            for variant in CARRIED {
+                add(variant, NO_VOLUME, Settings::default());
+            }
         }
         runs
     }

@@ -112,6 +112,13 @@ fn volumes(records: &[&RunRecord]) -> Vec<&'static str> {
     names.filter(|name| records.iter().any(|record| record.spec.label("volume") == *name)).collect()
 }
 
+fn panel_title(volume: &str) -> String {
+    if volume == NO_VOLUME {
+        return "points carry their volume everywhere".to_owned();
+    }
+    format!("points of cut cells: {volume}")
+}
+
 /// One row of panels per quantity, one column per rule.
 fn over_offsets(records: &[&RunRecord], title: &str, shown: &[(&str, Axis)]) -> Figure {
     let volumes = volumes(records);
@@ -130,7 +137,7 @@ fn over_offsets(records: &[&RunRecord], title: &str, shown: &[(&str, Axis)]) -> 
                     })
                 });
             panels.push(Panel {
-                title: format!("points of cut cells: {volume}"),
+                title: panel_title(volume),
                 x: Axis::linear("offset θ of the surface, cells"),
                 y: axis.clone(),
                 legend: "method".to_owned(),
@@ -158,7 +165,7 @@ fn histories(records: &[&RunRecord]) -> Figure {
         let exact = of_volume().find_map(|record| curve(record, HISTORY[1], "exact", Look::Line));
         curves.extend(exact.map(|exact| Curve { style: EXACT, ..exact }));
         panels.push(Panel {
-            title: format!("points of cut cells: {volume}"),
+            title: panel_title(volume),
             x: Axis::linear("time ct/H"),
             y: Axis::linear("mean pressure of the lowest cells / ρgH"),
             legend: "method".to_owned(),
