@@ -1,6 +1,7 @@
 //! The studies: one file each, one line each in the list; and what several of them share.
 
 pub mod acoustic_pulse;
+pub mod column;
 pub mod elastic_bar;
 pub mod errors;
 pub mod lattice;
@@ -15,13 +16,14 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 8] = [
+pub static ALL: [&dyn Case; 9] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &sod::Sod,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,
     &elastic_bar::ElasticBarWave,
+    &column::Column,
     &operators::Operators,
     &spectral::Spectral,
 ];

@@ -3,9 +3,11 @@
 pub mod acoustic;
 pub mod acoustic_radial;
 pub mod elastic_bar;
+pub mod hydrostatic_column;
 pub mod ideal_gas_riemann;
 pub mod isothermal_riemann;
 pub mod linear_riemann;
+pub mod loaded_column;
 mod quadrature;
 pub mod riemann;
 pub mod shear;
