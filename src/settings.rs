@@ -287,11 +287,11 @@ pub enum PointVolume {
     CarriedCapped,
     /// Cell volume times its fill fraction min(1, Σ m/ρ / V), shared in proportion to the carried volumes.
     VolumeFraction,
-    /// The same volume in one sample at the cell's centre, with the means of the cell's points: mass and
-    /// force enter the nodes in the same ratio however small the part, so that the stable time step
-    /// is that of full cells.
-    CellFraction,
-    /// The same volume in one sample at the centroid of the part that a plane cuts off the cell.
+    /// The carried volumes of the cell's points in one sample at the cell's centre, with the means of these
+    /// points: mass and force enter the nodes in the same ratio however small the volume, so that the
+    /// stable time step is that of full cells.
+    CellCenter,
+    /// The same in one sample at the centroid of the part of the cell that a plane cuts off.
     Plane,
 }
 

@@ -32,7 +32,7 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
         match kind {
             CellKind::Internal => Samples::Center,
             CellKind::Boundary => match self.point_volume {
-                PointVolume::CellFraction => Samples::Part,
+                PointVolume::CellCenter => Samples::Part,
                 PointVolume::Plane => Samples::Wetted,
                 PointVolume::Sphere | PointVolume::CarriedCapped | PointVolume::VolumeFraction => {
                     Samples::Points
@@ -59,7 +59,9 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
             PointVolume::CarriedCapped => {
                 PointVolumes::Capped(cell_volume / T::from_index(points.len()))
             }
-            PointVolume::VolumeFraction | PointVolume::CellFraction | PointVolume::Plane => {
+            // A cell may hold the fluid of its empty neighbour: a cap would lose its weight.
+            PointVolume::CellCenter | PointVolume::Plane => PointVolumes::Scaled(T::one()),
+            PointVolume::VolumeFraction => {
                 let carried =
                     points.fold(T::zero(), |sum, p| sum + cloud.mass[p] / cloud.density[p]);
                 PointVolumes::Scaled((cell_volume / carried).min(T::one()))

@@ -52,10 +52,12 @@ const WITH_VOLUMES: [Variant; 4] =
 /// Methods whose points carry their volume.
 const CARRIED: [Variant; 4] = [Variant::Mpm, Variant::MpmVp, Variant::Gimp, Variant::Apic];
 /// Rules for the points of boundary cells by name.
-const VOLUMES: [(&str, PointVolume); 3] = [
+const VOLUMES: [(&str, PointVolume); 5] = [
     ("sphere", PointVolume::Sphere),
     ("carried-capped", PointVolume::CarriedCapped),
     ("volume-fraction", PointVolume::VolumeFraction),
+    ("cell-center", PointVolume::CellCenter),
+    ("plane", PointVolume::Plane),
 ];
 /// Name in place of a rule for methods without.
 const NO_VOLUME: &str = "carried";

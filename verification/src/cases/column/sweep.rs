@@ -59,6 +59,7 @@ pub(super) fn execute(variant: Variant, parameters: &Parameters, progress: &Prog
         outcome: Outcome::Completed,
         rows: missing_rows(parameters.study),
         profiles: Vec::new(),
+        rasters: Vec::new(),
         counters: BTreeMap::new(),
         seconds: 0.0,
     };

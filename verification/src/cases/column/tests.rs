@@ -162,6 +162,7 @@ fn record(velocity: f64) -> RunRecord {
         outcome: Outcome::Completed,
         rows,
         profiles: Vec::new(),
+        rasters: Vec::new(),
         counters: BTreeMap::new(),
         seconds: 1.0,
         manifest: Manifest::gather(1, 1),
