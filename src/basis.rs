@@ -104,7 +104,7 @@ pub struct Limiters<T> {
     /// Σ Φ_p² / φ_p = (1 + ℓ) / Σ φ_p,   ℓ = δᵀ C⁻¹ δ
     /// ```
     ///
-    /// ℓ is the leverage of the target, at δ from the points' weighted mean, and C their covariance. Points
+    /// ℓ is the leverage \[HoaglinWelsch1978\] of the target, at δ from the points' weighted mean, and C their covariance. Points
     /// that line up along a wall let a fit extrapolate from their least scatter; where ℓ > Λ the gradient is
     /// scaled by √(Λ/ℓ).
     pub leverage: Option<T>,
