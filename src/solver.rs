@@ -167,7 +167,12 @@ where
         Ok(())
     }
 
-    pub(crate) fn view<'a>(
+    /// Everything that a phase may read.
+    pub(crate) fn as_view(&self) -> View<'_, T, D, M, K> {
+        Self::view(&self.method, &self.physics, &self.grid, &self.cells, &self.particles)
+    }
+
+    fn view<'a>(
         method: &'a M,
         physics: &'a Physics<T, D, K>,
         grid: &'a Grid<T, D>,
@@ -281,6 +286,9 @@ where
     /// # Errors
     /// When a point fails.
     pub fn grid_to_particles(&mut self, dt: T, pass: Pass) -> Result<(), StepError> {
+        if pass.motion {
+            self.stretch_lengths(dt);
+        }
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
         let rebuilt = self.strain_is_rebuilt;
         let velocity = if rebuilt { &nodes.rebuilt } else { &nodes.velocity };

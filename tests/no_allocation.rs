@@ -9,7 +9,8 @@ use common::parts::DT;
 use common::scenes::{Block, Build, SPACING};
 use rayon::ThreadPoolBuilder;
 use transpoint::scene::{Boundary, Scene};
-use transpoint::{Settings, Variant, variants::StressUpdate};
+use transpoint::variants::{Fill, FillMass, FillPoints, Rearrangement, Split, StressUpdate};
+use transpoint::{Settings, Variant};
 
 /// Counts the allocations of each thread.
 struct Counting;
@@ -111,4 +112,19 @@ fn steps_of_every_variant_allocate_nothing_in_2d() {
 #[test]
 fn steps_of_every_variant_allocate_nothing_in_3d() {
     check::<3>();
+}
+
+/// Fractures are looked for and their filling is refused; no point is large enough to be split.
+#[test]
+fn rearrangement_without_an_event_allocates_nothing() {
+    let fill = Fill { points: FillPoints::Quarters, mass: FillMass::Budget(0.0) };
+    let none = Rearrangement::default();
+    let adding = Rearrangement { fill: Some(fill), most_points: Some(99), ..none };
+    let splitting = Rearrangement { split: Some(Split::Stretch(99.0)), ..none };
+    ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| {
+        for (variant, rearrangement) in [(Variant::TpmVp, adding), (Variant::Mpm, splitting)] {
+            let settings = Settings { rearrangement: Some(rearrangement), ..Settings::default() };
+            assert_eq!(allocations::<2>(variant, &settings), 0, "{}", variant.name());
+        }
+    });
 }

@@ -7,7 +7,6 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::reconstruction::Reconstruction;
 use crate::settings::{Fill, FillMass, FillPoints};
-use crate::simd::vectorized;
 use crate::solver::Solver;
 use crate::telemetry::Counters;
 
@@ -133,17 +132,14 @@ where
         let at = self.grid.cell_coordinates(cell);
         let volume = self.grid.cell_volume() / T::from_index(n);
         let reconstruction = self.method.reconstruction().unlimited(least_support);
-        let view =
-            Self::view(&self.method, &self.physics, &self.grid, &self.cells, &self.particles);
+        let view = self.as_view();
         let mut counters = Counters::default();
         for code in 0..n {
             let target = place(at, code, per_axis);
             let position = std::array::from_fn(|axis| {
                 self.grid.origin[axis] + self.grid.spacing[axis] * target[axis]
             });
-            let found = vectorized!(simd => {
-                fields_at(simd, &view, &reconstruction, target, &mut counters)
-            });
+            let found = fields_at(&view, &reconstruction, target, &mut counters);
             let Some(found) = found else {
                 self.counters = self.counters.sum(counters);
                 return false;

@@ -6,6 +6,8 @@ mod fill;
 mod fracture;
 mod ledger;
 mod reduce;
+mod shift;
+mod split;
 
 pub use fracture::{Survey, survey};
 pub use ledger::{Event, EventKind, EventSum, Ledger, Totals};
@@ -20,8 +22,7 @@ use crate::method::Method;
 use crate::particles::Particles;
 use crate::reconstruction::Reconstruction;
 use crate::scene_check::check_rearrangement;
-use crate::settings::Rearrangement;
-use crate::simd::Simd;
+use crate::settings::{Rearrangement, Split};
 use crate::solver::Solver;
 use crate::step::{AffineOf, StateOf, View};
 use crate::telemetry::Counters;
@@ -32,6 +33,8 @@ pub struct Rearranger<T, const D: usize, A, S> {
     settings: Rearrangement,
     survey: Survey,
     fresh: Particles<T, D, A, S>,
+    moved: Vec<shift::Moved<T, D, S>>,
+    n_steps: u32,
     next_id: u32,
     initial_mass: f64,
     created_mass: f64,
@@ -64,17 +67,23 @@ where
         &mut self,
         settings: Option<Rearrangement>,
     ) -> Result<(), InvalidInput> {
-        let Some(settings) = settings else {
-            self.rearranger = None;
-            return Ok(());
-        };
-        check_rearrangement::<T, D, M>(&settings)?;
+        if let Some(settings) = &settings {
+            check_rearrangement::<T, D, M>(settings)?;
+        }
+        let used = self.rearranger.take().map_or(0, |kept| kept.next_id);
+        self.particles.length = Vec::new();
+        let Some(settings) = settings else { return Ok(()) };
+        if let Some(Split::Stretch(_)) = settings.split {
+            self.particles.length = self.initial_lengths();
+        }
         let p = &self.particles;
         self.rearranger = Some(Box::new(Rearranger {
             settings,
             survey: Survey::new(&self.grid),
             fresh: Particles::default(),
-            next_id: p.id.iter().max().map_or(0, |&id| id.saturating_add(1)),
+            moved: Vec::new(),
+            n_steps: 0,
+            next_id: p.id.iter().fold(used, |next, &id| next.max(id.saturating_add(1))),
             initial_mass: p.mass.iter().map(|mass| mass.as_f64()).sum(),
             created_mass: 0.0,
         }));
@@ -85,7 +94,7 @@ where
     /// Adds, takes away, moves and splits points, as far as that was set; points stay sorted.
     pub fn rearrange(&mut self) {
         let Some(mut kept) = self.rearranger.take() else { return };
-        let Rearrangement { fill, most_points, .. } = kept.settings;
+        let Rearrangement { fill, most_points, shift, split } = kept.settings;
         self.look_around(&mut kept);
         if let Some(fill) = fill {
             self.fill(fill, &mut kept);
@@ -93,6 +102,17 @@ where
         }
         if let Some(most_points) = most_points {
             self.reduce(most_points, &mut kept);
+        }
+        if let Some(shift) = shift {
+            kept.n_steps += 1;
+            if kept.n_steps == shift.interval {
+                kept.n_steps = 0;
+                self.shift(shift, &mut kept);
+                self.look_around(&mut kept);
+            }
+        }
+        if let Some(split) = split {
+            self.split(split, &mut kept);
         }
         self.rearranger = Some(kept);
     }
@@ -130,30 +150,25 @@ type FieldsOf<T, const D: usize, M, K> = Fields<T, D, AffineOf<T, D, M>, StateOf
 
 /// Fields at a target in cells: density, velocity (ρv)/ρ, affine field and state of the material.
 ///
-/// `None` where there are no points or where they give no positive density.
-#[inline(always)]
-fn fields_at<S, T, const D: usize, M, K>(
-    simd: S,
+/// `None` where there are no points or where they give no positive density. One function for all uses,
+/// since its kernels are large.
+#[inline(never)]
+fn fields_at<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
     reconstruction: &M::Reconstruction,
     target: [T; D],
     counters: &mut Counters,
 ) -> Option<FieldsOf<T, D, M, K>>
 where
-    S: Simd,
     T: Scalar,
     M: Method<T, D>,
     K: Material<T, D>,
 {
     let p = view.particles;
     let cloud = view.cloud();
-    let fit = reconstruction.fit_node(
-        simd,
-        &cloud,
-        target,
-        #[inline(always)]
-        |point| (Vector(p.velocity[point].map(|v| v * p.density[point])), Value(p.density[point])),
-    );
+    let momentum = |point: usize| Vector(p.velocity[point].map(|v| v * p.density[point]));
+    let fit =
+        reconstruction.at_node(&cloud, target, |point| (momentum(point), Value(p.density[point])));
     counters.count_fit(&fit);
     let (Vector(momentum), Value(density)) = fit.value()?;
     if !(density.is_finite() && density > T::zero()) {
@@ -161,12 +176,12 @@ where
     }
     let velocity = momentum.map(|component| component / density);
     let affine = other_field(<AffineOf<T, D, M> as Field<T>>::COMPONENTS, || {
-        let fit = reconstruction.fit_node(simd, &cloud, target, |point| p.affine[point]);
+        let fit = reconstruction.at_node(&cloud, target, |point| p.affine[point]);
         counters.count_fit(&fit);
         fit.value()
     })?;
     let state = other_field(<StateOf<T, D, K> as Field<T>>::COMPONENTS, || {
-        let fit = reconstruction.fit_node(simd, &cloud, target, |point| p.state[point]);
+        let fit = reconstruction.at_node(&cloud, target, |point| p.state[point]);
         counters.count_fit(&fit);
         fit.value()
     })?;
@@ -175,7 +190,6 @@ where
 }
 
 /// A field that a method or material may lack.
-#[inline(always)]
 fn other_field<F: Default>(n_components: usize, fit: impl FnOnce() -> Option<F>) -> Option<F> {
     if n_components == 0 { Some(F::default()) } else { fit() }
 }

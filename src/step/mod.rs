@@ -9,6 +9,7 @@ mod node_velocity;
 mod particles_to_grid;
 mod settle;
 mod spread;
+mod stretch;
 mod update_grid;
 
 pub use centers::{Center, divergence, rebuild_centers};
@@ -16,7 +17,9 @@ pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
 pub use limit_pressure::{CellMean, limit_pressure};
 pub use node_velocity::{node_velocity, transfer_velocity};
 pub use particles_to_grid::{ScatterParts, fuses_impulse, particles_to_grid};
+pub(crate) use settle::settle;
 pub use settle::{Failure, Outcome};
+pub use stretch::stretch;
 pub use update_grid::{NodeForces, constrain, increment_energy, update_grid};
 
 use crate::Scalar;

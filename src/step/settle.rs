@@ -49,7 +49,7 @@ impl Outcome {
 ///
 /// [`ABSENT`] marks a point that has left through a free face; `None` one that has left elsewhere.
 #[inline(never)]
-pub(super) fn settle<T: Scalar, const D: usize>(
+pub(crate) fn settle<T: Scalar, const D: usize>(
     grid: &Grid<T, D>,
     boundaries: &[[Boundary; 2]; D],
     position: &mut [T; D],

@@ -7,6 +7,7 @@ pub mod clouds;
 pub mod gas;
 pub mod parts;
 pub mod phases;
+pub mod rearranging;
 pub mod scenes;
 
 use transpoint::{Observation, Scalar};

@@ -1,0 +1,158 @@
+//! Points that stand for too much fluid are split.
+
+use super::{Event, EventKind, RearrangerOf};
+use crate::Scalar;
+use crate::cells::ABSENT;
+use crate::material::Material;
+use crate::method::Method;
+use crate::settings::Split;
+use crate::solver::Solver;
+use crate::step::{settle, stretch};
+
+/// Half distances of the parts of a point along each axis, m; zero: not split along it.
+type Parts<T, const D: usize> = [T; D];
+
+impl<T, const D: usize, M, K> Solver<T, D, M, K>
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: Material<T, D>,
+{
+    /// Lengths of the points along the axes, m: those of a piece of a cell with volume m/ρ.
+    pub(super) fn initial_lengths(&self) -> Vec<[T; D]> {
+        let p = &self.particles;
+        (0..p.len()).map(|point| self.length_by_volume(point)).collect()
+    }
+
+    /// Stretches the lengths of the points with the flow, where they carry any.
+    pub(crate) fn stretch_lengths(&mut self, dt: T) {
+        let Self { method, grid, cells, particles, nodes, .. } = self;
+        if particles.length.is_empty() {
+            return;
+        }
+        let grid = (&*grid, &*cells, &method.shape());
+        let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
+        stretch(grid, nodes, &particles.position, &mut particles.length);
+    }
+
+    fn length_by_volume(&self, point: usize) -> [T; D] {
+        let p = &self.particles;
+        let share = p.mass[point] / p.density[point] / self.grid.cell_volume();
+        let ratio = share.powf(T::one() / T::from_index(D));
+        self.grid.spacing.map(|h| ratio * h)
+    }
+
+    /// Splits every point that is too large, once, after \[Ma2009\].
+    ///
+    /// Parts have equal masses and lie about the point at a quarter of its length, less near a wall
+    /// (half the distance to it). Everything else is copied, so that mass, momentum, angular momentum
+    /// and energy stay.
+    pub(super) fn split(&mut self, split: Split, kept: &mut RearrangerOf<T, D, M, K>) {
+        let mut event = Event::new(self.time, EventKind::Split);
+        for slot in 0..self.cells.len() {
+            let start = kept.fresh.len();
+            for point in self.cells.points(slot) {
+                if let Some(parts) = self.parts(split, point) {
+                    self.split_point(point, &parts, kept, &mut event);
+                }
+            }
+            event.n_cells += u64::from(kept.fresh.len() > start);
+        }
+        self.finish(event, kept);
+    }
+
+    /// How a point is split, if it is too large.
+    fn parts(&self, split: Split, point: usize) -> Option<Parts<T, D>> {
+        let p = &self.particles;
+        let mut parts = [T::zero(); D];
+        match split {
+            Split::Volume(ratio) => {
+                let most = T::lit(ratio.powi(D as i32)) * self.grid.cell_volume();
+                if !(p.mass[point] / p.density[point] > most) {
+                    return None;
+                }
+                let length = self.length_by_volume(point);
+                for axis in 0..D {
+                    parts[axis] = self.half_distance(point, axis, length[axis]);
+                }
+            }
+            Split::Stretch(ratio) => {
+                let length = p.length[point];
+                let cells = |axis: usize| length[axis] * self.grid.inverse_spacing[axis];
+                let axis = (1..D).fold(
+                    0,
+                    |most, axis| {
+                        if cells(axis) > cells(most) { axis } else { most }
+                    },
+                );
+                if !(cells(axis) > T::lit(ratio)) {
+                    return None;
+                }
+                parts[axis] = self.half_distance(point, axis, length[axis]);
+            }
+        }
+        parts.iter().any(|&part| part > T::zero()).then_some(parts)
+    }
+
+    /// A quarter of a length, or half the distance to the nearest wall if that is less.
+    fn half_distance(&self, point: usize, axis: usize, length: T) -> T {
+        let quarter = T::lit(0.25) * length;
+        if self.grid.periodic[axis] {
+            return quarter;
+        }
+        let lower = self.particles.position[point][axis] - self.grid.origin[axis];
+        let size = self.grid.spacing[axis] * T::from_index(self.grid.n_cells[axis]);
+        let room = lower.min(size - lower) * T::lit(0.5);
+        quarter.min(room).max(T::zero())
+    }
+
+    fn split_point(
+        &mut self,
+        point: usize,
+        parts: &Parts<T, D>,
+        kept: &mut RearrangerOf<T, D, M, K>,
+        event: &mut Event<D>,
+    ) {
+        let n_axes = parts.iter().filter(|&&part| part > T::zero()).count();
+        let n_new = (1_u32 << n_axes) - 1;
+        let Some(next_id) = kept.next_id.checked_add(n_new) else { return };
+        let center = self.particles.position[point];
+        let mut places = [(center, ABSENT); 8];
+        for (code, (position, cell)) in places[..=n_new as usize].iter_mut().enumerate() {
+            let mut rest = code;
+            for axis in (0..D).filter(|&axis| parts[axis] > T::zero()) {
+                position[axis] += if rest % 2 == 0 { -parts[axis] } else { parts[axis] };
+                rest /= 2;
+            }
+            match settle(&self.grid, &self.physics.boundaries, position) {
+                Some(found) if found != ABSENT => *cell = found,
+                _ => return,
+            }
+        }
+        self.add_totals(&self.particles, point, &mut event.before);
+        let p = &mut self.particles;
+        p.mass[point] /= T::from_index(n_new as usize + 1);
+        if let Some(length) = p.length.get_mut(point) {
+            for axis in (0..D).filter(|&axis| parts[axis] > T::zero()) {
+                length[axis] *= T::lit(0.5);
+            }
+        }
+        (p.position[point], p.cell[point]) = places[0];
+        let start = kept.fresh.len();
+        for (k, &(position, cell)) in places[1..=n_new as usize].iter().enumerate() {
+            let id = kept.next_id + k as u32;
+            kept.fresh.push(id, position, p.velocity[point], p.density[point], p.mass[point]);
+            let new = start + k;
+            (kept.fresh.cell[new], kept.fresh.affine[new]) = (cell, p.affine[point]);
+            kept.fresh.state[new] = p.state[point];
+            kept.fresh.length.extend(p.length.get(point));
+        }
+        kept.next_id = next_id;
+        self.add_totals(&self.particles, point, &mut event.after);
+        for new in start..kept.fresh.len() {
+            self.add_totals(&kept.fresh, new, &mut event.after);
+        }
+        event.n_added += u64::from(n_new);
+        self.counters.n_points_split += 1;
+    }
+}
