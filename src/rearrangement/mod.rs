@@ -93,6 +93,9 @@ where
 
     /// Adds, takes away, moves and splits points, as far as that was set; points stay sorted.
     pub fn rearrange(&mut self) {
+        if self.cells.is_empty() {
+            return;
+        }
         let Some(mut kept) = self.rearranger.take() else { return };
         let Rearrangement { fill, most_points, shift, split } = kept.settings;
         self.look_around(&mut kept);
