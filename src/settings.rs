@@ -262,7 +262,8 @@ pub struct Shift {
 pub enum Split {
     /// In two along every axis when its volume m/ρ exceeds α^D cells.
     Volume(f64),
-    /// In two along the axis of greatest length when the length that it carries exceeds α cells.
+    /// In two along the axis of greatest length when the length that it carries exceeds α cells. Lengths
+    /// start as those of a piece of a cell with the point's volume, and the flow stretches them.
     Stretch(f64),
 }
 

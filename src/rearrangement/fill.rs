@@ -7,7 +7,6 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::reconstruction::Reconstruction;
 use crate::settings::{Fill, FillMass, FillPoints};
-use crate::simd::vectorized;
 use crate::solver::Solver;
 use crate::telemetry::Counters;
 
@@ -140,9 +139,7 @@ where
             let position = std::array::from_fn(|axis| {
                 self.grid.origin[axis] + self.grid.spacing[axis] * target[axis]
             });
-            let found = vectorized!(simd => {
-                fields_at(simd, &view, &reconstruction, target, &mut counters)
-            });
+            let found = fields_at(&view, &reconstruction, target, &mut counters);
             let Some(found) = found else {
                 self.counters = self.counters.sum(counters);
                 return false;

@@ -23,7 +23,6 @@ use crate::particles::Particles;
 use crate::reconstruction::Reconstruction;
 use crate::scene_check::check_rearrangement;
 use crate::settings::{Rearrangement, Split};
-use crate::simd::Simd;
 use crate::solver::Solver;
 use crate::step::{AffineOf, StateOf, View};
 use crate::telemetry::Counters;
@@ -94,6 +93,9 @@ where
 
     /// Adds, takes away, moves and splits points, as far as that was set; points stay sorted.
     pub fn rearrange(&mut self) {
+        if self.cells.is_empty() {
+            return;
+        }
         let Some(mut kept) = self.rearranger.take() else { return };
         let Rearrangement { fill, most_points, shift, split } = kept.settings;
         self.look_around(&mut kept);
@@ -151,30 +153,25 @@ type FieldsOf<T, const D: usize, M, K> = Fields<T, D, AffineOf<T, D, M>, StateOf
 
 /// Fields at a target in cells: density, velocity (ρv)/ρ, affine field and state of the material.
 ///
-/// `None` where there are no points or where they give no positive density.
-#[inline(always)]
-fn fields_at<S, T, const D: usize, M, K>(
-    simd: S,
+/// `None` where there are no points or where they give no positive density. One function for all uses,
+/// since its kernels are large.
+#[inline(never)]
+fn fields_at<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
     reconstruction: &M::Reconstruction,
     target: [T; D],
     counters: &mut Counters,
 ) -> Option<FieldsOf<T, D, M, K>>
 where
-    S: Simd,
     T: Scalar,
     M: Method<T, D>,
     K: Material<T, D>,
 {
     let p = view.particles;
     let cloud = view.cloud();
-    let fit = reconstruction.fit_node(
-        simd,
-        &cloud,
-        target,
-        #[inline(always)]
-        |point| (Vector(p.velocity[point].map(|v| v * p.density[point])), Value(p.density[point])),
-    );
+    let momentum = |point: usize| Vector(p.velocity[point].map(|v| v * p.density[point]));
+    let fit =
+        reconstruction.at_node(&cloud, target, |point| (momentum(point), Value(p.density[point])));
     counters.count_fit(&fit);
     let (Vector(momentum), Value(density)) = fit.value()?;
     if !(density.is_finite() && density > T::zero()) {
@@ -182,12 +179,12 @@ where
     }
     let velocity = momentum.map(|component| component / density);
     let affine = other_field(<AffineOf<T, D, M> as Field<T>>::COMPONENTS, || {
-        let fit = reconstruction.fit_node(simd, &cloud, target, |point| p.affine[point]);
+        let fit = reconstruction.at_node(&cloud, target, |point| p.affine[point]);
         counters.count_fit(&fit);
         fit.value()
     })?;
     let state = other_field(<StateOf<T, D, K> as Field<T>>::COMPONENTS, || {
-        let fit = reconstruction.fit_node(simd, &cloud, target, |point| p.state[point]);
+        let fit = reconstruction.at_node(&cloud, target, |point| p.state[point]);
         counters.count_fit(&fit);
         fit.value()
     })?;
@@ -196,7 +193,6 @@ where
 }
 
 /// A field that a method or material may lack.
-#[inline(always)]
 fn other_field<F: Default>(n_components: usize, fit: impl FnOnce() -> Option<F>) -> Option<F> {
     if n_components == 0 { Some(F::default()) } else { fit() }
 }

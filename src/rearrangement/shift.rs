@@ -9,7 +9,6 @@ use crate::parallel::{fold_blocks, for_each_block};
 use crate::particles::{POINT_GRAIN, ParticlesMut};
 use crate::reconstruction::{Neighborhood, Reconstruction};
 use crate::settings::Shift;
-use crate::simd::{Simd, vectorized};
 use crate::solver::Solver;
 use crate::step::{CELL_GRAIN, StateOf, View, settle};
 use crate::telemetry::Counters;
@@ -52,19 +51,14 @@ where
         kept.moved.resize(self.particles.len(), None);
         let work = |slots: std::ops::Range<usize>, part: &mut [Moved<T, D, StateOf<T, D, K>>]| {
             let begin = first[slots.start] as usize;
-            vectorized!(simd => {
-                let mut counters = Counters::default();
-                for slot in slots {
-                    for point in self.cells.points(slot) {
-                        part[point - begin] = if internal[slot] {
-                            push.moved(simd, slot, point, &mut counters)
-                        } else {
-                            None
-                        };
-                    }
+            let mut counters = Counters::default();
+            for slot in slots {
+                for point in self.cells.points(slot) {
+                    part[point - begin] =
+                        if internal[slot] { push.moved(slot, point, &mut counters) } else { None };
                 }
-                counters
-            })
+            }
+            counters
         };
         let cut = |slot: usize| first[slot] as usize;
         let moved = kept.moved.as_mut_slice();
@@ -130,10 +124,8 @@ where
     K: Material<T, D>,
 {
     /// The new place of a point of an active cell, unless it stays where it is.
-    #[inline(always)]
-    fn moved<S: Simd>(
+    fn moved(
         &self,
-        simd: S,
         slot: usize,
         point: usize,
         counters: &mut Counters,
@@ -155,7 +147,7 @@ where
         let reconstruction = view.method.reconstruction().unlimited(T::zero());
         let mut at = |position| {
             let target = std::array::from_fn(|axis| view.grid.in_cells(position, axis));
-            fields_at::<S, T, D, M, K>(simd, view, &reconstruction, target, counters)
+            fields_at(view, &reconstruction, target, counters)
         };
         let (here, there) = (at(p.position[point])?, at(position)?);
         let density = p.density[point] + there.density - here.density;
@@ -171,7 +163,6 @@ where
     }
 
     /// How far the points around push a point, m; `None` if none is close.
-    #[inline(always)]
     fn displacement(&self, slot: usize, point: usize) -> Option<[T; D]> {
         let grid = self.view.grid;
         let cell = grid.cell_coordinates(self.view.cells.index[slot]);
