@@ -7,6 +7,8 @@
 //!
 //! - `hydrostatic`: the start is the isothermal equilibrium, so that nothing should move. Largest
 //!   |v|/√(gH), and errors of the pressure over ρgH, over 20 H/c.
+//! - `settled`: the same from the method's own equilibrium, which is where the column stands after 40 H/c with
+//!   PIC, at rest.
 //! - `sudden-load`: gravity acts from t = 0 on a column without pressure, \[MorseIngard1968\]. The pressure
 //!   at the base is a triangle wave of period 4H/c; its error over five periods, the height that its
 //!   period stands for, and its damping.
@@ -40,15 +42,15 @@ const CELLS: usize = 6;
 /// Courant number of the acoustic limit of full cells.
 const COURANT: f64 = 0.3;
 /// Offsets θ of a sweep in the paper tier, by study.
-const OFFSETS: [(Study, usize); 2] = [(Study::Hydrostatic, 100), (Study::SuddenLoad, 20)];
+const OFFSETS: [(Study, usize); 3] =
+    [(Study::Hydrostatic, 100), (Study::Settled, 100), (Study::SuddenLoad, 20)];
 /// Offsets in the smoke tier.
 const SMOKE_OFFSETS: usize = 3;
 /// Duration, H/c: the periods of the wave.
 const DURATION: f64 = 4.0 * sudden_load::PERIODS as f64;
 
-/// Methods whose samples depend on where the surface lies.
-const WITH_VOLUMES: [Variant; 4] =
-    [Variant::Tpm, Variant::TpmVp, Variant::TpmVpQuadratic, Variant::TpmVpConstant];
+/// Methods whose samples depend on where the surface lies; in a column `tpm-vp0` is `tpm`.
+const WITH_VOLUMES: [Variant; 3] = [Variant::Tpm, Variant::TpmVp, Variant::TpmVpQuadratic];
 /// Methods whose points carry their volume.
 const CARRIED: [Variant; 4] = [Variant::Mpm, Variant::MpmVp, Variant::Gimp, Variant::Apic];
 /// Rules for the points of boundary cells by name.
@@ -68,6 +70,8 @@ const NO_VOLUME: &str = "carried";
 enum Study {
     /// It starts in equilibrium.
     Hydrostatic,
+    /// It starts in the equilibrium of the method.
+    Settled,
     /// It starts without pressure.
     SuddenLoad,
 }
@@ -76,6 +80,7 @@ impl Study {
     const fn name(self) -> &'static str {
         match self {
             Self::Hydrostatic => "hydrostatic",
+            Self::Settled => "settled",
             Self::SuddenLoad => "sudden-load",
         }
     }

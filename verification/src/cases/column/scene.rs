@@ -25,7 +25,7 @@ const POINT_SPACING: f64 = 0.5;
 /// g H/c² of the highest column.
 const fn compression(study: Study) -> f64 {
     match study {
-        Study::Hydrostatic => 1e-3,
+        Study::Hydrostatic | Study::Settled => 1e-3,
         Study::SuddenLoad => 1e-4,
     }
 }
@@ -112,7 +112,9 @@ impl Setup {
             for [lower, upper] in self.rows() {
                 let middle = 0.5 * (lower + upper);
                 let (density, mass) = match parameters.study {
-                    Study::Hydrostatic => (column.density(middle), column.mass(lower, upper)),
+                    Study::Hydrostatic | Study::Settled => {
+                        (column.density(middle), column.mass(lower, upper))
+                    }
                     Study::SuddenLoad => (DENSITY, DENSITY * (upper - lower)),
                 };
                 let position = [(k as f64 + 0.5) * across, middle];

@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use transpoint::{Simulation, Variant};
+use transpoint::scene::PointSpec;
+use transpoint::simulation::PointState;
+use transpoint::variants::Blend;
+use transpoint::{Scene, Settings, Simulation, Variant};
 
 use super::scene::{SPACING, Setup};
 use super::{Parameters, Study, hydrostatic, sudden_load};
 use crate::case::{Findings, Outcome, Profile, Row};
-use crate::cases::march::{counters, march_watching};
+use crate::cases::march::{counters, march, march_watching};
 use crate::progress::Progress;
 
 /// Norms over the offsets: largest absolute value, its 95th percentile, and θ where it is largest.
@@ -17,13 +20,15 @@ pub(super) const NORMS: [&str; 3] = ["max", "p95", "worst-theta"];
 const FURTHER: [(&str, &str); 2] = [("blow-ups", "count"), ("time-step", "least-ratio")];
 /// Profiles of the base pressure over ρgH, found and exact, at one offset.
 pub(super) const HISTORY: [&str; 2] = ["base-history", "base-history-exact"];
+/// Time in which a column comes to rest with PIC, H/c.
+const SETTLING: f64 = 40.0;
 /// One step in so many is kept in it.
 const THINNING: usize = 4;
 
 /// What a study measures at each offset.
 pub(super) const fn quantities(study: Study) -> [&'static str; 3] {
     match study {
-        Study::Hydrostatic => hydrostatic::QUANTITIES,
+        Study::Hydrostatic | Study::Settled => hydrostatic::QUANTITIES,
         Study::SuddenLoad => sudden_load::QUANTITIES,
     }
 }
@@ -66,13 +71,20 @@ pub(super) fn execute(variant: Variant, parameters: &Parameters, progress: &Prog
     let mut trials = Vec::new();
     for offset in 0..parameters.offsets {
         let setup = Setup::new(parameters, theta(offset, parameters.offsets));
-        let scene = setup.scene(parameters);
+        let mut scene = setup.scene(parameters);
+        let start = Instant::now();
+        let settling = match parameters.study {
+            Study::Settled => settle(variant, &setup, parameters, &mut scene),
+            Study::Hydrostatic | Study::SuddenLoad => Outcome::Completed,
+        };
         let mut simulation = match variant.build_2d(&scene, &parameters.settings) {
             Ok(simulation) => simulation,
             Err(error) => return Findings::not_built(&error, findings.rows),
         };
-        let start = Instant::now();
-        let mut trial = trial(&setup, parameters, simulation.as_mut());
+        let mut trial = match settling {
+            Outcome::Completed => trial(&setup, parameters, simulation.as_mut()),
+            failed => Trial::lost(failed, Vec::new()),
+        };
         findings.seconds += start.elapsed().as_secs_f64();
         for (name, count) in counters(simulation.as_ref()) {
             *findings.counters.entry(name).or_default() += count;
@@ -88,6 +100,35 @@ pub(super) fn execute(variant: Variant, parameters: &Parameters, progress: &Prog
     findings
 }
 
+impl Trial {
+    /// An offset that blew up.
+    fn lost(outcome: Outcome, history: Vec<[f64; 2]>) -> Self {
+        Self { outcome, values: [f64::INFINITY; 3], step_ratio: f64::INFINITY, history }
+    }
+}
+
+/// Lets a column come to rest with PIC; the scene becomes that state, at rest.
+fn settle(
+    variant: Variant,
+    setup: &Setup,
+    parameters: &Parameters,
+    scene: &mut Scene<2>,
+) -> Outcome {
+    let settings = Settings { blend: Blend::PerStep(0.0), ..parameters.settings };
+    let mut simulation = match variant.build_2d(scene, &settings) {
+        Ok(simulation) => simulation,
+        Err(error) => return Outcome::NotBuilt { reason: error.to_string() },
+    };
+    let steps = (SETTLING * setup.height / (setup.sound_speed * setup.dt)).ceil() as u64;
+    let progress = Progress::silent();
+    let outcome = march(simulation.as_mut(), setup.dt, 0..steps, (&progress, steps));
+    if outcome == Outcome::Completed {
+        let at_rest = |p: &PointState<2>| PointSpec::new(p.position, [0.0; 2], p.density, p.mass);
+        scene.points = simulation.observe().points.iter().map(at_rest).collect();
+    }
+    outcome
+}
+
 /// Steps one column and measures on the way.
 fn trial(setup: &Setup, parameters: &Parameters, simulation: &mut dyn Simulation<2>) -> Trial {
     let silent = Progress::silent();
@@ -96,10 +137,10 @@ fn trial(setup: &Setup, parameters: &Parameters, simulation: &mut dyn Simulation
     let mut outcome = march_watching(simulation, setup.dt, 0..steps, (&silent, steps), |state| {
         done += 1;
         match parameters.study {
-            Study::Hydrostatic if done % hydrostatic::STRIDE == 0 => {
+            Study::Hydrostatic | Study::Settled if done % hydrostatic::STRIDE == 0 => {
                 rest.see(setup, &state.observe());
             }
-            Study::Hydrostatic => (),
+            Study::Hydrostatic | Study::Settled => (),
             Study::SuddenLoad => load.see(setup, &state.observe()),
         }
     });
@@ -108,11 +149,10 @@ fn trial(setup: &Setup, parameters: &Parameters, simulation: &mut dyn Simulation
         outcome = Outcome::BlownUp { step: steps, time: simulation.time(), reason };
     }
     if outcome != Outcome::Completed {
-        let (values, step_ratio) = ([f64::INFINITY; 3], f64::INFINITY);
-        return Trial { outcome, values, step_ratio, history: load.history };
+        return Trial::lost(outcome, load.history);
     }
     let values = match parameters.study {
-        Study::Hydrostatic => rest.largest,
+        Study::Hydrostatic | Study::Settled => rest.largest,
         Study::SuddenLoad => load.values(setup.height / SPACING),
     };
     let step_ratio =

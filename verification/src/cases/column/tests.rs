@@ -58,7 +58,7 @@ fn the_points_have_the_mass_of_the_column() {
             let points = setup.scene(&parameters(study, 1)).points;
             let mass: f64 = points.iter().map(|point| point.mass).sum();
             let height = match study {
-                Study::Hydrostatic => setup.at_rest().mass(0.0, setup.height),
+                Study::Hydrostatic | Study::Settled => setup.at_rest().mass(0.0, setup.height),
                 Study::SuddenLoad => 1000.0 * setup.height,
             };
             assert!((mass / (4.0 * SPACING * height) - 1.0).abs() < 1e-13);
