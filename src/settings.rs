@@ -288,8 +288,8 @@ pub enum PointVolume {
     CarriedCapped,
     /// Cell volume times its fill fraction min(1, Σ m/ρ / V), shared in proportion to the carried volumes.
     VolumeFraction,
-    /// The carried volumes of the cell's points in one sample at the cell's centre, with the means of these
-    /// points: mass and force enter the nodes in the same ratio however small the volume, so that the
+    /// One sample at the cell's centre with the means of the cell's points and the volume of their boxes in the
+    /// cell, see [`boxed_volume`](crate::quadrature::boxed_volume): mass and force enter the nodes in the same ratio however small the volume, so that the
     /// stable time step is that of full cells.
     CellCenter,
     /// The same in one sample at the centroid of the part of the cell that a plane cuts off.

@@ -10,7 +10,7 @@ use common::scenes::Block;
 use transpoint::cells::{CellKind, Cells};
 use transpoint::method::Method;
 use transpoint::quadrature::{
-    Gauss, Mixed, Quadrature, classify, classify_by_volume, wetted_sites,
+    Gauss, Mixed, Quadrature, boxed_volume, classify, classify_by_volume, wetted_sites,
 };
 use transpoint::scene::{Boundary, PointSpec, Scene};
 use transpoint::shape::{Linear, QuadraticBspline};
@@ -231,6 +231,54 @@ fn samples_of_cut_cells_stand_at_the_centroid_of_the_wet_part() {
         let along = [at[0] as f64 + 0.5, at[1] as f64 + if at[1] == 3 { 0.2 } else { 0.5 }];
         for axis in 0..2 {
             near("site", site[axis] / spacing[axis], along[axis], 1e-12).unwrap();
+        }
+    }
+}
+
+/// Boxes that are cut at faces of cells with points, and whole elsewhere, add up to what they were.
+fn check_sum_of_boxes<const D: usize>(faces: Boundary) {
+    let block =
+        Block { fluid: [[0.0, 4.0]; D], jitter: 0.4, ..Block::<D>::full(6, faces) }.random(3);
+    let data = CloudData::<f64, D>::new(&block.scene());
+    let boxes: f64 = (0..data.cells.len()).map(|slot| boxed_volume(&data.cloud(), slot)).sum();
+    let carried: f64 =
+        data.particles.mass.iter().zip(&data.particles.density).map(|(m, rho)| m / rho).sum();
+    near("sum", boxes, carried, 1e-13 * carried).unwrap();
+}
+
+#[test]
+fn boxes_add_up_to_the_carried_volume() {
+    for faces in [Boundary::Slip, Boundary::Periodic] {
+        check_sum_of_boxes::<1>(faces);
+        check_sum_of_boxes::<2>(faces);
+        check_sum_of_boxes::<3>(faces);
+    }
+}
+
+/// A lattice whose top row ends at a surface: the cells hold what the surface leaves them, but what
+/// reaches into a cell without points counts below.
+#[test]
+fn boxes_of_a_lattice_end_at_its_surface() {
+    let full = Block { fluid: [[0.0, 6.0], [0.0, 4.0]], ..Block::<2>::full(6, Boundary::Slip) };
+    for (shift, top, below) in [(0.1, 0.0, 1.1), (0.4, 0.4, 1.0), (0.6, 0.6, 1.0), (0.9, 0.9, 1.0)]
+    {
+        let mut scene = full.scene();
+        let spacing = scene.grid.spacing;
+        for point in &mut scene.points {
+            point.mass = point.density * 0.25 * spacing[0] * spacing[1];
+            point.position[1] += shift * spacing[1];
+        }
+        let data = CloudData::<f64, 2>::new(&scene);
+        for (slot, &cell) in data.cells.index.iter().enumerate() {
+            let expected = match data.grid.cell_coordinates(cell)[1] {
+                4 => top,
+                3 => below,
+                // The lattice has left the floor.
+                0 => 1.0 - shift,
+                _ => 1.0,
+            };
+            let found = boxed_volume(&data.cloud(), slot) / (spacing[0] * spacing[1]);
+            near("volume", found, expected, 1e-12).unwrap();
         }
     }
 }

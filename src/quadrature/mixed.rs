@@ -83,14 +83,7 @@ pub(super) fn sphere_volume<T: Scalar, const D: usize>(
     let widest = spacing.iter().fold(spacing[0], |least, &h| least.min(h));
     let position = cloud.position[point];
     let target = std::array::from_fn(|axis| cloud.grid.in_cells(position, axis));
-    let mut neighborhood =
-        Neighborhood { first: cell.map(|c| c as i32 - 1), end: cell.map(|c| c as i32 + 2) };
-    for axis in 0..D {
-        if !cloud.grid.periodic[axis] {
-            neighborhood.first[axis] = neighborhood.first[axis].max(0);
-            neighborhood.end[axis] = neighborhood.end[axis].min(cloud.grid.n_cells[axis] as i32);
-        }
-    }
+    let neighborhood = Neighborhood::of_cells_around(cloud.grid, cell);
     let mut nearest = widest * widest;
     cloud.visit(neighborhood, target, |other, offset| {
         if other != point {

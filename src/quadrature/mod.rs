@@ -10,7 +10,7 @@ pub use gauss::Gauss;
 pub use mixed::Mixed;
 pub use particle::Particle;
 pub use plane::{Plane, Wetted, normal};
-pub use surface::{classify, classify_by_volume, mark_near_surface, wetted_sites};
+pub use surface::{boxed_volume, classify, classify_by_volume, mark_near_surface, wetted_sites};
 
 use crate::Scalar;
 use crate::cells::CellKind;

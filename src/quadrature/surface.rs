@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
 use crate::parallel::for_each_block;
-use crate::reconstruction::Cloud;
+use crate::reconstruction::{Cloud, Neighborhood};
 use crate::step::{CELL_GRAIN, Center, StateOf, View};
 
 /// Tells boundary cells from internal ones: a boundary cell has an empty cell among its neighbours.
@@ -67,6 +67,83 @@ fn any_neighbor<T: Scalar, const D: usize>(
         });
         grid.neighbor(cell, shift).is_some_and(&condition)
     })
+}
+
+/// Volume of fluid in an active cell, m³: each point is a box about its position, of its carried volume
+/// and of the cells' shape, and a cell holds the parts of the boxes that lie in it.
+///
+/// What of a box lies in cells without points, or beyond a wall, counts in the point's own cell, so that the
+/// sum over all active cells is the carried volume. It changes continuously as points cross faces.
+pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, slot: usize) -> T {
+    let Cloud { grid, cells, .. } = *cloud;
+    let cell = grid.cell_coordinates(cells.index[slot]);
+    let own = cells.points(slot);
+    let center = cell.map(|c| T::from_index(c) + T::lit(0.5));
+    let mut active = [false; 27];
+    for (code, active) in active.iter_mut().enumerate().take(3_usize.pow(D as u32)) {
+        let found = grid.neighbor(cell, shift_of(code));
+        *active = found.is_some_and(|found| cells.slot_of[found] != ABSENT);
+    }
+    let cell_volume = grid.cell_volume();
+    let mut volume = T::zero();
+    cloud.visit(Neighborhood::of_cells_around(grid, cell), center, |point, offset| {
+        let carried = cloud.mass[point] / cloud.density[point] / cell_volume;
+        let overlap = overlaps(offset, carried);
+        if !own.contains(&point) {
+            volume += (0..D).fold(T::one(), |product, axis| product * overlap[axis][1]);
+            return;
+        }
+        let mut part = carried;
+        for (code, _) in
+            active.iter().enumerate().filter(|&(code, &active)| active && code != own_code::<D>())
+        {
+            let mut rest = code;
+            let mut product = T::one();
+            for along in &overlap {
+                product *= along[rest % 3];
+                rest /= 3;
+            }
+            part -= product;
+        }
+        volume += part;
+    });
+    volume * cell_volume
+}
+
+/// Lengths in cells that a box of a volume, in cells, has in common with a cell's left neighbour, the cell and
+/// its right neighbour, along each axis; `offset` is that of the box from the cell's centre.
+#[inline(always)]
+fn overlaps<T: Scalar, const D: usize>(offset: [T; D], volume: T) -> [[T; 3]; D] {
+    let half = T::lit(0.5);
+    // A box of more than two cells reaches beyond the neighbours; what is there stays in its own cell.
+    let reach = half
+        * match D {
+            1 => volume,
+            2 => volume.sqrt(),
+            _ => volume.cbrt(),
+        };
+    offset.map(|x| {
+        [-T::one(), T::zero(), T::one()].map(|at| {
+            let (upper, lower) = ((x + reach).min(at + half), (x - reach).max(at - half));
+            (upper - lower).max(T::zero())
+        })
+    })
+}
+
+/// Shift in cells of one of the 3^D cells at and around another.
+#[inline(always)]
+fn shift_of<const D: usize>(code: usize) -> [i32; D] {
+    let mut rest = code;
+    std::array::from_fn(|_| {
+        let step = (rest % 3) as i32 - 1;
+        rest /= 3;
+        step
+    })
+}
+
+/// The code of no shift.
+const fn own_code<const D: usize>() -> usize {
+    (3_usize.pow(D as u32) - 1) / 2
 }
 
 /// Places of the cells' samples, m: cell centres, and in boundary cells the centroid of the part that a

@@ -170,14 +170,7 @@ where
         let distance = self.smallest / count.powf(T::one() / T::from_index(D));
         let position = self.view.particles.position[point];
         let target = std::array::from_fn(|axis| grid.in_cells(position, axis));
-        let mut neighborhood =
-            Neighborhood { first: cell.map(|c| c as i32 - 1), end: cell.map(|c| c as i32 + 2) };
-        for axis in 0..D {
-            if !grid.periodic[axis] {
-                neighborhood.first[axis] = neighborhood.first[axis].max(0);
-                neighborhood.end[axis] = neighborhood.end[axis].min(grid.n_cells[axis] as i32);
-            }
-        }
+        let neighborhood = Neighborhood::of_cells_around(grid, cell);
         let mut sum = [T::zero(); D];
         self.view.cloud().visit(
             neighborhood,

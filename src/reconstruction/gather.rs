@@ -54,6 +54,21 @@ impl<const D: usize> Neighborhood<D> {
     }
 }
 
+impl<const D: usize> Neighborhood<D> {
+    /// A cell and those around it, faces and corners included.
+    pub fn of_cells_around<T: Scalar>(grid: &Grid<T, D>, cell: [usize; D]) -> Self {
+        let mut around =
+            Self { first: cell.map(|c| c as i32 - 1), end: cell.map(|c| c as i32 + 2) };
+        for axis in 0..D {
+            if !grid.periodic[axis] {
+                around.first[axis] = around.first[axis].max(0);
+                around.end[axis] = around.end[axis].min(grid.n_cells[axis] as i32);
+            }
+        }
+        around
+    }
+}
+
 impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
     /// Visits the points of a neighbourhood with their offsets from the target, in cells.
     ///

@@ -3,13 +3,13 @@
 use super::{CELL_GRAIN, StateOf, View};
 use crate::Scalar;
 use crate::basis::Fit;
-use crate::cells::Cells;
+use crate::cells::{CellKind, Cells};
 use crate::grid::Grid;
 use crate::material::Material;
 use crate::math::{Field, Value};
 use crate::method::Method;
 use crate::parallel::{fold_blocks, for_each_block};
-use crate::quadrature::{Quadrature, Samples};
+use crate::quadrature::{Quadrature, Samples, boxed_volume};
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
 use crate::simd::{Simd, vectorized};
@@ -134,7 +134,8 @@ where
     Center { density, pressure, volume: view.grid.cell_volume(), state }
 }
 
-/// A cell cut by the surface: volume-weighted means over the points that it holds.
+/// A cell cut by the surface: volume-weighted means over the points that it holds; their volume, or that of
+/// their boxes where the cell is one sample.
 #[inline(always)]
 fn cut_cell<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
@@ -160,7 +161,11 @@ where
     }
     let mut mean = StateOf::<T, D, K>::default();
     mean.add_scaled(T::one() / volume, state);
-    Center { density: mass / volume, pressure: work / volume, volume, state: mean }
+    let (density, pressure) = (mass / volume, work / volume);
+    if view.method.quadrature().samples(CellKind::Boundary) != Samples::Points {
+        volume = boxed_volume(&cloud, slot);
+    }
+    Center { density, pressure, volume, state: mean }
 }
 
 /// Divergence of each active cell by the one-point rule, D_c = Σ_I v_I · ∇N_I(x_c), 1/s.
