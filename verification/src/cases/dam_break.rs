@@ -33,8 +33,8 @@ mod series;
 mod slab;
 mod state;
 mod tables;
-
-
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 
@@ -122,12 +122,12 @@ impl Case for DamBreak {
         };
         let Parameters { variant, settings, .. } = parameters;
         match parameters.shape {
-            Shape::Plane => {
-                march::execute::<2>(&parameters, progress, |scene| variant.build_2d(scene, &settings))
-            }
-            Shape::Tank => {
-                march::execute::<3>(&parameters, progress, |scene| variant.build_3d(scene, &settings))
-            }
+            Shape::Plane => march::execute::<2>(&parameters, progress, |scene| {
+                variant.build_2d(scene, &settings)
+            }),
+            Shape::Tank => march::execute::<3>(&parameters, progress, |scene| {
+                variant.build_3d(scene, &settings)
+            }),
             Shape::Slab => slab::execute(&parameters, progress),
         }
     }

@@ -31,6 +31,8 @@ pub(super) struct Written {
     pub(super) time: f64,
     /// Numerical fractures.
     pub(super) fractures: usize,
+    /// How many of them are there after one more step: fills are made at its start.
+    pub(super) lasting: usize,
     /// Most points in a cell.
     pub(super) most_points: u32,
 }
@@ -38,6 +40,8 @@ pub(super) struct Written {
 /// What was sampled of a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recording {
+    /// T at the end.
+    pub(super) end: Option<f64>,
     /// T and P at the [`PLACES`].
     pub(super) pressures: Vec<(f64, [f64; PLACES.len()])>,
     /// T at which a point was first at Q.
@@ -96,8 +100,7 @@ impl Recording {
         let column = |(column, name): (usize, &str)| {
             Profile::new(name, self.states.iter().map(|state| (state.time, state.values()[column])))
         };
-        let fractures =
-            self.written.iter().map(|written| (written.time, written.fractures as f64));
+        let fractures = self.written.iter().map(|written| (written.time, written.fractures as f64));
         PLACES
             .into_iter()
             .enumerate()
@@ -155,6 +158,8 @@ struct Run<'a, const D: usize> {
     recording: Recording,
     /// Written instants to come, the next one last.
     instants: Vec<f64>,
+    /// Fractures at the instant written in the step before.
+    fractures: Option<Vec<u32>>,
     seconds: f64,
 }
 
@@ -171,7 +176,7 @@ impl<'a, const D: usize> Run<'a, D> {
         instants.dedup();
         let mut recording = Recording::empty(parameters);
         recording.states.push(State::of(&scene.grid, simulation.as_ref()));
-        Self { parameters, scene, simulation, recording, instants, seconds: 0.0 }
+        Self { parameters, scene, simulation, recording, instants, fractures: None, seconds: 0.0 }
     }
 
     /// Steps to the end and samples on the way.
@@ -200,6 +205,7 @@ impl<'a, const D: usize> Run<'a, D> {
             }
             self.write()?;
         }
+        self.recording.end = Some(scaled_time(self.simulation.time()));
         let ledger = self.simulation.ledger();
         for (kind, entry) in EventKind::ALL.iter().zip(&mut self.recording.ledger) {
             entry.1 = Entry::of(&ledger.sum(*kind));
@@ -228,9 +234,24 @@ impl<'a, const D: usize> Run<'a, D> {
         state.total() <= MOST_ENERGY * self.recording.states[0].total()
     }
 
+    /// Counts the fractures of the instant written in the step before that are there still.
+    fn look_again(&mut self) -> Result<(), InvalidInput> {
+        let Some(before) = self.fractures.take() else { return Ok(()) };
+        if before.is_empty() {
+            return Ok(());
+        }
+        let now = Occupancy::of(self.scene, self.simulation.as_ref())?;
+        let lasting = before.iter().filter(|cell| now.fractures().contains(cell)).count();
+        if let Some(written) = self.recording.written.last_mut() {
+            written.lasting = lasting;
+        }
+        Ok(())
+    }
+
     /// Looks at the cells if a written instant has come.
     fn write(&mut self) -> Result<(), InvalidInput> {
         let time = scaled_time(self.simulation.time());
+        self.look_again()?;
         let Some(&instant) = self.instants.last().filter(|&&instant| time >= instant) else {
             return Ok(());
         };
@@ -239,9 +260,11 @@ impl<'a, const D: usize> Run<'a, D> {
         let recording = &mut self.recording;
         recording.written.push(Written {
             time: instant,
-            fractures: occupancy.fractures(),
+            fractures: occupancy.fractures().len(),
+            lasting: 0,
             most_points: occupancy.most_points(),
         });
+        self.fractures = Some(occupancy.fractures().to_vec());
         let shown = INSTANTS.contains(&instant);
         if shown || self.parameters.frames {
             recording.rasters.push(occupancy.pressure(picture("pressure", instant))?);

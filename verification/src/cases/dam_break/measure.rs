@@ -2,9 +2,7 @@
 
 use super::march::Recording;
 use super::probe::PLACES;
-use super::series::{
-    Curve, deviation, first_above, impulse, largest, mean, noise, running_mean,
-};
+use super::series::{Curve, deviation, first_above, impulse, largest, mean, noise, running_mean};
 use super::state::State;
 use crate::case::Row;
 use crate::number::decade_above;
@@ -47,7 +45,9 @@ pub(super) fn of_pressure(curve: &Curve) -> Vec<(&'static str, f64)> {
 }
 
 /// The measures of the heights: front, run-up and water at the gauges.
-pub(super) fn of_heights(column: impl Fn(VofQuantity) -> Vec<(f64, f64)>) -> Vec<(&'static str, f64)> {
+pub(super) fn of_heights(
+    column: impl Fn(VofQuantity) -> Vec<(f64, f64)>,
+) -> Vec<(&'static str, f64)> {
     let (depth, top) = (column(VofQuantity::Depth2725), column(VofQuantity::Top2725));
     let far = |quantity, from, to| {
         let reference = vof(VofSpacing::Millimeters10, quantity);
@@ -66,8 +66,7 @@ pub(super) fn of_heights(column: impl Fn(VofQuantity) -> Vec<(f64, f64)>) -> Vec
 /// All rows; the values of a part that was not sampled are not numbers.
 pub(super) fn rows(recording: &Recording) -> Vec<Row> {
     let mut found: Vec<(String, &'static str, f64)> = Vec::new();
-    let end = recording.states.last().map_or(f64::NAN, |state| state.time);
-    found.push(("run".to_owned(), "end", end));
+    found.push(("run".to_owned(), "end", recording.end.unwrap_or(f64::NAN)));
     found.push(("water".to_owned(), "wetting", recording.wetting.unwrap_or(f64::NAN)));
     for (place, name) in PLACES.iter().enumerate() {
         let curve: Vec<_> =
@@ -79,7 +78,9 @@ pub(super) fn rows(recording: &Recording) -> Vec<Row> {
         recording.states.iter().map(|state| (state.time, state.height(quantity))).collect()
     });
     found.extend(heights.into_iter().map(|(norm, value)| ("water".to_owned(), norm, value)));
-    found.extend(totals(recording).into_iter().map(|(name, norm, value)| (name.to_owned(), norm, value)));
+    found.extend(
+        totals(recording).into_iter().map(|(name, norm, value)| (name.to_owned(), norm, value)),
+    );
     for (kind, entry) in &recording.ledger {
         let counts = ["cells", "added", "removed"].into_iter().zip(entry.counts);
         found.extend(counts.map(|(norm, count)| (format!("ledger-{kind}"), norm, count as f64)));
@@ -117,6 +118,7 @@ fn totals(recording: &Recording) -> Vec<(&'static str, &'static str, f64)> {
     let points = curve(&|state| state.points as f64);
     let last = points.last().map_or(f64::NAN, |point| point.1);
     let fractures = recording.written.iter().map(|written| written.fractures as f64);
+    let lasting = recording.written.iter().map(|written| written.lasting as f64);
     let most = recording.written.iter().map(|written| f64::from(written.most_points));
     vec![
         ("energy", "start", if states.is_empty() { f64::NAN } else { start.total() }),
@@ -130,5 +132,6 @@ fn totals(recording: &Recording) -> Vec<(&'static str, &'static str, f64)> {
         ("points", "growth", last / super::series::at(&points, GROWTH)),
         ("points", "most-in-a-cell", most.reduce(f64::max).unwrap_or(f64::NAN)),
         ("fractures", "most", fractures.reduce(f64::max).unwrap_or(f64::NAN)),
+        ("fractures", "most-lasting", lasting.reduce(f64::max).unwrap_or(f64::NAN)),
     ]
 }

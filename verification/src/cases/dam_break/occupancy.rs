@@ -50,9 +50,9 @@ impl<const D: usize> Occupancy<D> {
         Ok(Self { spec, counts, pressures, occupied, survey })
     }
 
-    /// Cells that are empty although the fluid fills them.
-    pub(super) fn fractures(&self) -> usize {
-        self.survey.fractures.len()
+    /// Dense numbers of the cells that are empty although the fluid fills them.
+    pub(super) fn fractures(&self) -> &[u32] {
+        &self.survey.fractures
     }
 
     /// Most points in a cell.

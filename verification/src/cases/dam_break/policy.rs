@@ -110,14 +110,14 @@ const fn coarse(variant: Variant, difference: Difference) -> Run {
     Run { layout: "coarse", points_per_axis: 1, ..dense(variant, difference) }
 }
 
-const fn smoke(variant: Variant) -> Run {
+const fn smoke(variant: Variant, difference: Difference) -> Run {
     Run {
         layout: "small",
         spacing: 0.06,
         points_per_axis: 2,
         end: 2.0,
         tier: Tier::Smoke,
-        ..dense(variant, Difference::None)
+        ..dense(variant, difference)
     }
 }
 
@@ -126,7 +126,7 @@ const fn filmed(run: Run) -> Run {
 }
 
 /// Every run, the longest first.
-pub(super) static RUNS: [Run; 15] = [
+pub(super) static RUNS: [Run; 16] = [
     Run {
         layout: "tank-3d",
         shape: Shape::Tank,
@@ -137,7 +137,8 @@ pub(super) static RUNS: [Run; 15] = [
     },
     filmed(dense(Variant::TpmVpQuadratic, Difference::None)),
     dense(Variant::TpmVpConstant, Difference::None),
-    filmed(dense(Variant::GimpVp, Difference::None)),
+    filmed(dense(Variant::GimpVp, Difference::ModifiedLast)),
+    dense(Variant::GimpVp, Difference::None),
     dense(Variant::Tpm, Difference::Printed),
     filmed(coarse(Variant::TpmVpQuadratic, Difference::None)),
     filmed(coarse(Variant::TpmVpQuadratic, Difference::Fill)),
@@ -154,8 +155,8 @@ pub(super) static RUNS: [Run; 15] = [
         end: 200.0,
         ..dense(Variant::TpmVpQuadratic, Difference::None)
     },
-    smoke(Variant::TpmVpQuadratic),
-    smoke(Variant::GimpVp),
+    smoke(Variant::TpmVpQuadratic, Difference::None),
+    smoke(Variant::GimpVp, Difference::ModifiedLast),
 ];
 
 /// Every method, in the order of legends.

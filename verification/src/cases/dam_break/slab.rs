@@ -27,11 +27,7 @@ pub(super) fn execute(parameters: &Parameters, progress: &Progress) -> Findings 
 
 type Pair = (Box<dyn Simulation<2>>, Box<dyn Simulation<3>>);
 
-fn pair(
-    parameters: &Parameters,
-    plane: &Scene<2>,
-    slab: &Scene<3>,
-) -> Result<Pair, InvalidInput> {
+fn pair(parameters: &Parameters, plane: &Scene<2>, slab: &Scene<3>) -> Result<Pair, InvalidInput> {
     let Parameters { variant, settings, .. } = parameters;
     Ok((variant.build_2d(plane, settings)?, variant.build_3d(slab, settings)?))
 }

@@ -12,8 +12,19 @@ const GAUGES: [f64; 2] = [2.228, 2.725];
 
 /// Names of the columns of [`State::values`].
 pub(super) const COLUMNS: [&str; 13] = [
-    "kinetic", "potential", "compression", "mass", "grid-mass", "points", "front", "depth2228",
-    "top2228", "depth2725", "top2725", "run-up", "left",
+    "kinetic",
+    "potential",
+    "compression",
+    "mass",
+    "grid-mass",
+    "points",
+    "front",
+    "depth2228",
+    "top2228",
+    "depth2725",
+    "top2725",
+    "run-up",
+    "left",
 ];
 
 /// What is summed over all points at an instant.
@@ -54,7 +65,8 @@ impl State {
         let column = |x: f64| (x / h) as usize;
         let (gauges, last) = (GAUGES.map(column), grid.cells[0] - 1);
         // The area of a column of cells: its width times the depth of the tank.
-        let depth: f64 = (UP + 1..D).map(|axis| grid.cells[axis] as f64 * grid.spacing[axis]).product();
+        let depth: f64 =
+            (UP + 1..D).map(|axis| grid.cells[axis] as f64 * grid.spacing[axis]).product();
         let area = h * depth;
         simulation.visit_points(&mut |point: &PointState<D>| {
             let y = point.position[UP];
