@@ -24,6 +24,9 @@ const MOST: f64 = 4.0;
 /// Curves of one row of panels: title, layout, and runs with their colours.
 type Group = (&'static str, &'static str, &'static [(&'static str, Difference, usize)]);
 
+/// What is done to the values of a curve.
+type Change<'a> = &'a dyn Fn(Vec<(f64, f64)>) -> Vec<(f64, f64)>;
+
 /// Groups of runs, in the order of rows.
 const GROUPS: [Group; 3] = [
     (
@@ -189,12 +192,7 @@ fn find<'a>(
     super::results::find(records, run.0, layout, run.1)
 }
 
-fn own(
-    records: &[RunRecord],
-    group: &Group,
-    name: &str,
-    change: &dyn Fn(Vec<(f64, f64)>) -> Vec<(f64, f64)>,
-) -> Vec<Curve> {
+fn own(records: &[RunRecord], group: &Group, name: &str, change: Change<'_>) -> Vec<Curve> {
     let of_run = |run| {
         let profile = find(records, group.1, run)?.profile(name)?;
         Some(curve(run, change(profile.pairs())))
@@ -202,7 +200,7 @@ fn own(
     group.2.iter().filter_map(of_run).collect()
 }
 
-fn others(name: &str, change: &dyn Fn(Vec<(f64, f64)>) -> Vec<(f64, f64)>) -> Vec<Curve> {
+fn others(name: &str, change: Change<'_>) -> Vec<Curve> {
     let of_run =
         |((spacing, label), style)| line(label, style, change(outside::curve(spacing, name)));
     outside::RUNS.into_iter().zip(VOF).map(of_run).collect()

@@ -58,6 +58,7 @@ pub(super) fn of_heights(
         ("depth2228-deviation", far(VofQuantity::Depth2228, 1.0, 2.5)),
         ("run-up", largest(&column(VofQuantity::RunUp), 1.2, 2.5).1),
         ("rebound", largest(&depth, 2.5, 4.0).1),
+        ("rebound-mean", largest(&running_mean(&depth, SMOOTH), 2.5, 4.0).1),
         ("rebound-time", largest(&depth, 2.5, 4.0).0),
         ("rebound-top", largest(&top, 2.5, 4.0).1),
     ]

@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn an_alternating_part_is_noise() {
-        let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let curve: Vec<_> =
             line(1.0).into_iter().enumerate().map(|(k, (t, y))| (t, y + 0.1 * sign(k))).collect();
         let found = noise(&curve, &running_mean(&curve, 0.105), 1.0, 3.0);

@@ -29,7 +29,7 @@ const PRESSURE: [Column; 17] = [
     ("p-160mm", "noise-after", "noise T>2.5"),
 ];
 
-const WATER: [Column; 18] = [
+const WATER: [Column; 19] = [
     ("run", "end", "T at the end"),
     ("energy", "excess", "energy excess"),
     ("energy", "dissipated@2.5", "dissipated by 2.5"),
@@ -46,6 +46,7 @@ const WATER: [Column; 18] = [
     ("water", "run-up", "run-up, m"),
     ("water", "rebound", "rebound, m"),
     ("water", "rebound-time", "at T"),
+    ("water", "rebound-mean", "mean, m"),
     ("water", "rebound-top", "rebound top, m"),
     ("points", "growth", "growth after 2"),
 ];
@@ -71,9 +72,11 @@ pub(super) fn water(records: &[RunRecord], policy: &str) -> Table {
         "Energies over that at the start: largest excess, and what was dissipated. Mass drift: largest \
          relative change of the nominal mass of the points, and of the mass on the nodes since the first \
          step. Fractures: most cells empty although the fluid fills them, over the instants written, one every \
-         0.05 T; lasting: those still there a step later, at whose start fills are made. Front (0.2 < T < 1.15) and depth at x = 2.228 m (1 < T < 2.5): root mean square \
-         difference from VOF on 10 mm cells. Run-up: highest point in the last column of cells. Rebound: \
-         largest volume over width at x = 2.725 m for T > 2.5, and the highest point there. {policy}"
+         0.05 T; lasting: those still there a step later, at whose start fills are made. Front (0.2 < T < \
+         1.15) and depth at x = 2.228 m (1 < T < 2.5): root mean square difference from VOF on 10 mm \
+         cells. Run-up: highest point in the last column of cells. Rebound: largest volume over width at x \
+         = 2.725 m for T > 2.5, its largest running mean over 0.05 T (of few points the volume in a column of \
+         cells jumps as they cross its sides), and the highest point there. {policy}"
     );
     table(records, &WATER, note)
 }

@@ -108,9 +108,10 @@ fn a_column_at_rest_has_internal_and_boundary_cells_and_no_fractures() {
     let occupancy = Occupancy::of(&scene, plane(&parameters).as_ref()).expect("a grid");
     assert_eq!((occupancy.fractures().len(), occupancy.most_points()), (0, 4));
     let kinds = occupancy.kinds("kind".to_owned()).expect("a picture");
-    let count = |code: u8| kinds.values.iter().filter(|&&value| value == code).count();
+    let mut counts = [0; 5];
+    kinds.values.iter().for_each(|&code| counts[usize::from(code)] += 1);
     // 12 by 6 cells, of which the right column and the top row are cut.
-    assert_eq!([1, 2, 3, 4].map(count), [55, 17, 0, 0]);
+    assert_eq!(counts[1..], [55, 17, 0, 0]);
     let pressure = occupancy.pressure("pressure".to_owned()).expect("a picture");
     assert_eq!(pressure.values.iter().filter(|&&value| value > 0).count(), 72);
     // The bottom row is the first, and its pressure the greatest.
