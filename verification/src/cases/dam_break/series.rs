@@ -101,7 +101,8 @@ mod tests {
         let curve = line(2.0);
         assert!((impulse(&curve, 1.0, 3.0) - 8.0).abs() < 1e-12);
         assert!((mean(&curve, 1.0, 3.0) - 4.0).abs() < 1e-12);
-        let smooth = running_mean(&curve, 0.1);
+        // No value lies at the very end of a window, where round-off would decide.
+        let smooth = running_mean(&curve, 0.105);
         assert!((at(&smooth, 2.0) - 4.0).abs() < 1e-12);
         assert!(noise(&curve, &smooth, 1.0, 3.0) < 1e-12);
         assert!((deviation(&curve, &line(1.0), 0.0, 4.0) - 4.0 / 3.0_f64.sqrt()).abs() < 0.01);

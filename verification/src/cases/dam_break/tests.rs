@@ -142,6 +142,26 @@ fn a_small_run_reaches_the_wall_and_keeps_mass_and_energy() {
 }
 
 #[test]
+fn the_same_column_runs_in_three_dimensions() {
+    let parameters = parameters(Shape::Tank, 0.6);
+    let findings = march::execute::<3>(&parameters, &Progress::silent(), |scene| {
+        parameters.variant.build_3d(scene, &parameters.settings)
+    });
+    assert_eq!(findings.outcome, Outcome::Completed);
+    let flat = Parameters { shape: Shape::Plane, ..parameters };
+    let plane = march::execute::<2>(&flat, &Progress::silent(), |scene| {
+        flat.variant.build_2d(scene, &flat.settings)
+    });
+    // Slip walls let the water do across the depth what it does in the plane.
+    let kinetic = |findings: &Findings| {
+        let profile = findings.profiles.iter().find(|profile| profile.name == "kinetic");
+        series::at(&profile.expect("a profile").pairs(), 0.5)
+    };
+    let ratio = kinetic(&findings) / (0.3 * kinetic(&plane));
+    assert!((ratio - 1.0).abs() < 0.05, "{ratio}");
+}
+
+#[test]
 fn a_slab_is_the_plane_to_round_off() {
     let findings = slab::execute(&parameters(Shape::Slab, 20.0), &Progress::silent());
     assert_eq!(findings.outcome, Outcome::Completed);
