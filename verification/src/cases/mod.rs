@@ -2,6 +2,7 @@
 
 pub mod acoustic_pulse;
 pub mod column;
+pub mod dam_break;
 pub mod elastic_bar;
 pub mod errors;
 pub mod lattice;
@@ -16,9 +17,10 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 9] = [
+pub static ALL: [&dyn Case; 10] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
+    &dam_break::DamBreak,
     &sod::Sod,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,

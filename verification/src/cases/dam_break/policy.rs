@@ -1,0 +1,208 @@
+//! The one policy of all runs, and the runs: every constant that could be chosen otherwise.
+
+use transpoint::variants::{
+    Blend, Fill, FillMass, FillPoints, PointVolume, Rearrangement, Split, StressUpdate,
+};
+use transpoint::{Settings, Variant};
+
+use super::scene::{SOUND_SPEED, Shape};
+use crate::case::Tier;
+
+/// c₀ τ/h of the relaxation towards PIC: a share of 3 % per step at the Courant number here.
+const RELAXATION: f64 = 12.0;
+/// θ of the positivity limiter.
+const POSITIVITY: f64 = 0.8;
+/// Λ of the limiter of the leverage.
+const LEVERAGE: f64 = 16.0;
+/// Share of the stable time step.
+pub(super) const COURANT: f64 = 0.5;
+/// Steps after which the stable time step is found anew: sound sets it, which does not change.
+pub(super) const STEPS_PER_TIME_STEP: u64 = 10;
+/// Total energy over that at the start at which a run counts as blown up.
+pub(super) const MOST_ENERGY: f64 = 2.0;
+/// What is put into a numerical fracture: one point, with mass from its neighbours.
+const FILL: Fill = Fill { points: FillPoints::Center, mass: FillMass::Donated };
+/// N_m.
+const MOST_POINTS: u32 = 4;
+/// α of the splitting.
+const SPLIT: f64 = 1.5;
+
+/// How the settings of a run differ from the policy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Difference {
+    /// They do not.
+    None,
+    /// The method as printed: volumes of circles, no limiter, no blend.
+    Printed,
+    /// Fractures are filled.
+    Fill,
+    /// Fractures are filled and crowded cells reduced.
+    FillReduce,
+    /// Stress updated modified-last.
+    ModifiedLast,
+    /// The same, and points split by volume.
+    SplitVolume,
+    /// The same, and points split by stretch.
+    SplitStretch,
+}
+
+impl Difference {
+    /// The value of the label `run`.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::None => "policy",
+            Self::Printed => "printed",
+            Self::Fill => "fill",
+            Self::FillReduce => "fill-reduce",
+            Self::ModifiedLast => "musl",
+            Self::SplitVolume => "split-volume",
+            Self::SplitStretch => "split-stretch",
+        }
+    }
+
+    fn rearrangement(self) -> Option<Rearrangement> {
+        let filled = Rearrangement { fill: Some(FILL), ..Rearrangement::default() };
+        let split = |split| Rearrangement { split: Some(split), ..Rearrangement::default() };
+        match self {
+            Self::Fill => Some(filled),
+            Self::FillReduce => Some(Rearrangement { most_points: Some(MOST_POINTS), ..filled }),
+            Self::SplitVolume => Some(split(Split::Volume(SPLIT))),
+            Self::SplitStretch => Some(split(Split::Stretch(SPLIT))),
+            Self::None | Self::Printed | Self::ModifiedLast => None,
+        }
+    }
+}
+
+/// A run as the case lists it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Run {
+    pub(super) variant: Variant,
+    /// Name of resolution and points, the layout of the record.
+    pub(super) layout: &'static str,
+    pub(super) difference: Difference,
+    pub(super) shape: Shape,
+    /// Cell size, m.
+    pub(super) spacing: f64,
+    pub(super) points_per_axis: usize,
+    /// T at the end; for the slab the number of steps.
+    pub(super) end: f64,
+    /// Whether frames of an animation are kept.
+    pub(super) frames: bool,
+    /// The first tier that has it.
+    pub(super) tier: Tier,
+}
+
+const fn dense(variant: Variant, difference: Difference) -> Run {
+    Run {
+        variant,
+        layout: "dense",
+        difference,
+        shape: Shape::Plane,
+        spacing: 0.02,
+        points_per_axis: 4,
+        end: 4.0,
+        frames: false,
+        tier: Tier::Paper,
+    }
+}
+
+const fn coarse(variant: Variant, difference: Difference) -> Run {
+    Run { layout: "coarse", points_per_axis: 1, ..dense(variant, difference) }
+}
+
+const fn smoke(variant: Variant, difference: Difference) -> Run {
+    Run {
+        layout: "small",
+        spacing: 0.06,
+        points_per_axis: 2,
+        end: 2.0,
+        tier: Tier::Smoke,
+        ..dense(variant, difference)
+    }
+}
+
+const fn filmed(run: Run) -> Run {
+    Run { frames: true, ..run }
+}
+
+/// Every run, the longest first.
+pub(super) static RUNS: [Run; 16] = [
+    Run {
+        layout: "tank-3d",
+        shape: Shape::Tank,
+        points_per_axis: 2,
+        end: 2.0,
+        tier: Tier::Full,
+        ..dense(Variant::TpmVpQuadratic, Difference::None)
+    },
+    filmed(dense(Variant::TpmVpQuadratic, Difference::None)),
+    dense(Variant::TpmVpConstant, Difference::None),
+    filmed(dense(Variant::GimpVp, Difference::ModifiedLast)),
+    dense(Variant::GimpVp, Difference::None),
+    dense(Variant::Tpm, Difference::Printed),
+    filmed(coarse(Variant::TpmVpQuadratic, Difference::None)),
+    filmed(coarse(Variant::TpmVpQuadratic, Difference::Fill)),
+    coarse(Variant::TpmVpQuadratic, Difference::FillReduce),
+    coarse(Variant::MpmVp, Difference::None),
+    coarse(Variant::MpmVp, Difference::ModifiedLast),
+    coarse(Variant::MpmVp, Difference::SplitVolume),
+    coarse(Variant::MpmVp, Difference::SplitStretch),
+    Run {
+        layout: "slab",
+        shape: Shape::Slab,
+        spacing: 0.04,
+        points_per_axis: 2,
+        end: 200.0,
+        ..dense(Variant::TpmVpQuadratic, Difference::None)
+    },
+    smoke(Variant::TpmVpQuadratic, Difference::None),
+    smoke(Variant::GimpVp, Difference::ModifiedLast),
+];
+
+/// Every method, in the order of legends.
+pub(super) const VARIANTS: [Variant; 5] = [
+    Variant::TpmVpQuadratic,
+    Variant::TpmVpConstant,
+    Variant::GimpVp,
+    Variant::Tpm,
+    Variant::MpmVp,
+];
+
+/// Settings of a run.
+pub(super) fn settings(run: &Run) -> Settings {
+    let printed = Settings {
+        // The length of a point at the start.
+        gimp_length: 1.0 / run.points_per_axis as f64,
+        support: if run.points_per_axis == 1 { 1.5 } else { 1.0 },
+        ..Settings::default()
+    };
+    if run.difference == Difference::Printed {
+        return printed;
+    }
+    let modified = matches!(
+        run.difference,
+        Difference::ModifiedLast | Difference::SplitVolume | Difference::SplitStretch
+    );
+    Settings {
+        stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
+        blend: Blend::RelaxationTime(RELAXATION * run.spacing / SOUND_SPEED),
+        positivity: Some(POSITIVITY),
+        leverage: Some(LEVERAGE),
+        point_volume: PointVolume::CellCenter,
+        rearrangement: run.difference.rearrangement(),
+        ..printed
+    }
+}
+
+/// One line of settings for the notes of tables.
+pub(super) fn text() -> String {
+    format!(
+        "All runs but `printed`: FLIP with the share 1 − Δt/τ, τ = {RELAXATION} h/c₀; stress updated \
+         last (`musl` and the splitting runs: modified-last); Δt = {COURANT} of the stable one; moving \
+         least squares over 1 cell (1.5 with one point per cell), positivity θ = {POSITIVITY}, leverage \
+         Λ = {LEVERAGE}; one sample per cut cell that carries all of its points. `printed`: \
+         FLIP, circles, no limiter. `fill`: {FILL:?}; `fill-reduce`: with N_m = {MOST_POINTS}; \
+         splitting: α = {SPLIT}. c₀ = 50 m/s, p ≥ −5000 Pa, hydrostatic at the start. A run whose \
+         total energy exceeds {MOST_ENERGY} times that at the start has blown up."
+    )
+}
