@@ -8,6 +8,7 @@ use crate::shape::ShapeFunction;
 use crate::simulation::Conserved;
 use crate::solver::Solver;
 use crate::step::ParticlesOf;
+use crate::step::fuses_impulse;
 use crate::transfer::Transfer;
 
 impl<const D: usize> Conserved<D> {
@@ -108,6 +109,18 @@ where
                 totals.angular_momentum[axis] += mass * spin;
             }
         }
+    }
+
+    /// Mass on the nodes by the quadrature, kg. Periodic images count once.
+    pub(crate) fn sampled_mass(&self) -> f64 {
+        let rows =
+            if fuses_impulse::<T, D, M>() { &self.nodes.transfer } else { &self.nodes.force };
+        let masses = self.nodes.index.iter().zip(rows).filter(|(node, _)| {
+            let at = self.grid.node_coordinates(**node);
+            // Images of periodic nodes hold the same sum.
+            (0..D).all(|a| !self.grid.periodic[a] || at[a] < self.grid.n_cells[a])
+        });
+        masses.map(|(_, row)| row[3].as_f64()).sum()
     }
 
     /// Totals over the nodes after points → grid: transfer mass and momentum.

@@ -80,6 +80,14 @@ pub fn minimum_density<T: Scalar, const D: usize>(
     }
 }
 
+/// Edge of the box that a point fills at the start, in cells: that of the median carried volume.
+pub fn box_edge<T: Scalar, const D: usize>(scene: &Scene<D>, grid: &Grid<T, D>) -> T {
+    let mut volumes: Vec<f64> = scene.points.iter().map(|p| p.mass / p.density).collect();
+    volumes.sort_unstable_by(f64::total_cmp);
+    let median = volumes.get(volumes.len() / 2).copied().unwrap_or(grid.cell_volume().as_f64());
+    T::lit((median / grid.cell_volume().as_f64()).powf(1.0 / D as f64))
+}
+
 /// The laws of the material that a scene lists agree with each other.
 ///
 /// # Errors

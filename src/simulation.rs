@@ -7,7 +7,7 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::rearrangement::Ledger;
 use crate::solver::Solver;
-use crate::step::{ParticlesOf, fuses_impulse};
+use crate::step::ParticlesOf;
 use crate::telemetry::Counters;
 
 /// State of one point as reported to the outside, in `f64`.
@@ -159,14 +159,7 @@ where
     }
 
     fn grid_mass(&self) -> f64 {
-        let rows =
-            if fuses_impulse::<T, D, M>() { &self.nodes.transfer } else { &self.nodes.force };
-        let masses = self.nodes.index.iter().zip(rows).filter(|(node, _)| {
-            let at = self.grid.node_coordinates(**node);
-            // Images of periodic nodes hold the same sum.
-            (0..D).all(|a| !self.grid.periodic[a] || at[a] < self.grid.n_cells[a])
-        });
-        masses.map(|(_, row)| row[3].as_f64()).sum()
+        if self.rearranger.is_some() { self.grid_mass_before } else { self.sampled_mass() }
     }
 
     fn conserved(&self) -> Conserved<D> {

@@ -16,7 +16,7 @@ use crate::quadrature::{
 use crate::rearrangement::{Ledger, RearrangerOf};
 use crate::scene::Scene;
 use crate::scene_check::{
-    check_energy_update, check_material, check_points, linear_law, minimum_density,
+    box_edge, check_energy_update, check_material, check_points, linear_law, minimum_density,
 };
 use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
@@ -62,6 +62,8 @@ where
     pub ledger: Ledger<D>,
     pub(crate) rearranger: Option<Box<RearrangerOf<T, D, M, K>>>,
     pub(crate) survey_is_stale: bool,
+    /// Mass by the quadrature of the last step, where points were rearranged since, kg.
+    pub(crate) grid_mass_before: f64,
     means: Vec<CellMean<T, D>>,
     sites: Vec<[T; D]>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
@@ -106,6 +108,7 @@ where
             linear: linear_law::<T, D, K>(&equation_of_state)?,
             material,
             minimum_density: minimum_density(scene, &equation_of_state)?,
+            box_edge: box_edge(scene, &grid),
             body_force: scene.body_force.map(T::lit),
             boundaries: scene.boundaries,
         };
@@ -123,6 +126,7 @@ where
             ledger: Ledger::default(),
             rearranger: None,
             survey_is_stale: true,
+            grid_mass_before: 0.0,
             means: Vec::new(),
             sites: Vec::new(),
             spare: Particles::default(),
@@ -139,7 +143,6 @@ where
     /// When a point fails; the solver must not be stepped again then.
     pub fn advance(&mut self, dt: T) -> Result<(), StepError> {
         self.bin_particles();
-        self.rearrange();
         self.count_work();
         self.limit_pressure();
         match self.method.stress_update() {
@@ -168,6 +171,12 @@ where
             }
         }
         self.time += dt.as_f64();
+        if self.rearranger.is_some() {
+            // Sorting renumbers the nodes, and with them what the quadrature left there.
+            self.grid_mass_before = self.sampled_mass();
+            self.bin_particles();
+            self.rearrange();
+        }
         Ok(())
     }
 

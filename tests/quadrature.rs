@@ -240,7 +240,7 @@ fn check_sum_of_boxes<const D: usize>(faces: Boundary) {
     let block =
         Block { fluid: [[0.0, 4.0]; D], jitter: 0.4, ..Block::<D>::full(6, faces) }.random(3);
     let data = CloudData::<f64, D>::new(&block.scene());
-    let boxes: f64 = (0..data.cells.len()).map(|slot| boxed_volume(&data.cloud(), slot)).sum();
+    let boxes: f64 = (0..data.cells.len()).map(|slot| boxed_volume(&data.cloud(), 0.5, slot)).sum();
     let carried: f64 =
         data.particles.mass.iter().zip(&data.particles.density).map(|(m, rho)| m / rho).sum();
     near("sum", boxes, carried, 1e-13 * carried).unwrap();
@@ -277,7 +277,7 @@ fn boxes_of_a_lattice_end_at_its_surface() {
                 0 => 1.0 - shift,
                 _ => 1.0,
             };
-            let found = boxed_volume(&data.cloud(), slot) / (spacing[0] * spacing[1]);
+            let found = boxed_volume(&data.cloud(), 0.5, slot) / (spacing[0] * spacing[1]);
             near("volume", found, expected, 1e-12).unwrap();
         }
     }

@@ -69,12 +69,15 @@ fn any_neighbor<T: Scalar, const D: usize>(
     })
 }
 
-/// Volume of fluid in an active cell, m³: each point is a box about its position, of its carried volume
-/// and of the cells' shape, and a cell holds the parts of the boxes that lie in it.
+/// Volume of fluid in an active cell, m³: the carried volume of each point fills a box about its position,
+/// `edge` cells wide, and a cell holds what lies in it.
+///
+/// All boxes have the size that points had at the start: sizes that follow the volumes would make a slab of
+/// points in 3D differ from the same points in 2D.
 ///
 /// What of a box lies in cells without points, or beyond a wall, counts in the point's own cell, so that the
 /// sum over all active cells is the carried volume. It changes continuously as points cross faces.
-pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, slot: usize) -> T {
+pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, edge: T, slot: usize) -> T {
     let Cloud { grid, cells, .. } = *cloud;
     let cell = grid.cell_coordinates(cells.index[slot]);
     let own = cells.points(slot);
@@ -84,48 +87,40 @@ pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, slot: us
         let found = grid.neighbor(cell, shift_of(code));
         *active = found.is_some_and(|found| cells.slot_of[found] != ABSENT);
     }
-    let cell_volume = grid.cell_volume();
     let mut volume = T::zero();
     cloud.visit(Neighborhood::of_cells_around(grid, cell), center, |point, offset| {
-        let carried = cloud.mass[point] / cloud.density[point] / cell_volume;
-        let overlap = overlaps(offset, carried);
+        let carried = cloud.mass[point] / cloud.density[point];
+        let share = shares(offset, edge);
         if !own.contains(&point) {
-            volume += (0..D).fold(T::one(), |product, axis| product * overlap[axis][1]);
+            volume += share.iter().fold(carried, |product, along| product * along[1]);
             return;
         }
-        let mut part = carried;
-        for (code, _) in
-            active.iter().enumerate().filter(|&(code, &active)| active && code != own_code::<D>())
+        let mut elsewhere = T::zero();
+        for code in
+            (0..3_usize.pow(D as u32)).filter(|&code| active[code] && code != own_code::<D>())
         {
             let mut rest = code;
             let mut product = T::one();
-            for along in &overlap {
+            for along in &share {
                 product *= along[rest % 3];
                 rest /= 3;
             }
-            part -= product;
+            elsewhere += product;
         }
-        volume += part;
+        volume += carried * (T::one() - elsewhere);
     });
-    volume * cell_volume
+    volume
 }
 
-/// Lengths in cells that a box of a volume, in cells, has in common with a cell's left neighbour, the cell and
-/// its right neighbour, along each axis; `offset` is that of the box from the cell's centre.
+/// Shares of a box that lie in a cell's left neighbour, in the cell and in its right neighbour, along each
+/// axis; `offset` is that of the box from the cell's centre in cells.
 #[inline(always)]
-fn overlaps<T: Scalar, const D: usize>(offset: [T; D], volume: T) -> [[T; 3]; D] {
-    let half = T::lit(0.5);
-    // A box of more than two cells reaches beyond the neighbours; what is there stays in its own cell.
-    let reach = half
-        * match D {
-            1 => volume,
-            2 => volume.sqrt(),
-            _ => volume.cbrt(),
-        };
+fn shares<T: Scalar, const D: usize>(offset: [T; D], edge: T) -> [[T; 3]; D] {
+    let (half, reach) = (T::lit(0.5), T::lit(0.5) * edge);
     offset.map(|x| {
         [-T::one(), T::zero(), T::one()].map(|at| {
             let (upper, lower) = ((x + reach).min(at + half), (x - reach).max(at - half));
-            (upper - lower).max(T::zero())
+            (upper - lower).max(T::zero()) / edge
         })
     })
 }

@@ -163,7 +163,7 @@ where
     mean.add_scaled(T::one() / volume, state);
     let (density, pressure) = (mass / volume, work / volume);
     if view.method.quadrature().samples(CellKind::Boundary) != Samples::Points {
-        volume = boxed_volume(&cloud, slot);
+        volume = boxed_volume(&cloud, view.physics.box_edge, slot);
     }
     Center { density, pressure, volume, state: mean }
 }

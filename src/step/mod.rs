@@ -60,6 +60,8 @@ pub struct Physics<T, const D: usize, K> {
     pub material: K,
     /// Density to which a point of less is raised, kg/m³; zero: none.
     pub minimum_density: T,
+    /// Edge of a point's box, cells, see [`boxed_volume`](crate::quadrature::boxed_volume).
+    pub box_edge: T,
     /// Acceleration, m/s².
     pub body_force: [T; D],
     /// Lower and upper face of each axis.

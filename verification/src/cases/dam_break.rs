@@ -19,6 +19,7 @@
 //! for T > 2.5. `fractures`: most cells that are empty although the fluid fills them, over the instants
 //! written, one every 0.05 T.
 
+mod claims;
 mod figures;
 mod maps;
 mod march;
