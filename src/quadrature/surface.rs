@@ -143,7 +143,7 @@ const fn own_code<const D: usize>() -> usize {
 
 /// Places of the cells' samples, m: cell centres, and in boundary cells the centroid of the part that a
 /// plane cuts off, whose normal follows from the fluid's share of the cells around
-/// (\[ParkerYoungs1992\], \[ScardovelliZaleski2000\]).
+/// (\[ParkerYoungs1992\], \[Scardovelli2000\]).
 ///
 /// Left empty where no cell of the rule is sampled so. `centers` are those of the step.
 pub fn wetted_sites<T, const D: usize, M, K>(
