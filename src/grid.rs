@@ -128,6 +128,13 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
         Some(index)
     }
 
+    /// Dense numbers of the cells of the box at and around a cell; over a narrow periodic axis one may
+    /// come twice.
+    #[inline(always)]
+    pub fn around(&self, cell: [usize; D]) -> impl Iterator<Item = usize> {
+        (0..3_usize.pow(D as u32)).filter_map(move |code| self.neighbor(cell, shift_of(code)))
+    }
+
     /// Dense number of the first node that the points of a cell can touch.
     #[inline(always)]
     pub fn first_node(&self, cell: [usize; D]) -> usize {
@@ -153,6 +160,17 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
             periodic: self.periodic[axis],
         }
     }
+}
+
+/// Shift in cells of one of the 3^D cells at and around another; the middle one is no shift.
+#[inline(always)]
+pub fn shift_of<const D: usize>(code: usize) -> [i32; D] {
+    let mut rest = code;
+    std::array::from_fn(|_| {
+        let step = (rest % 3) as i32 - 1;
+        rest /= 3;
+        step
+    })
 }
 
 #[inline(always)]

@@ -33,6 +33,7 @@ pub mod settings;
 pub mod step;
 
 pub mod conservation;
+mod failure;
 pub mod rearrangement;
 pub mod simulation;
 pub mod solver;

@@ -1,13 +1,14 @@
 //! Checks of a scene, and of what is asked of a method on it, before a run.
 
 use crate::Scalar;
+use crate::cells::CellKind;
 use crate::equation_of_state::{EquationOfState, WeaklyCompressible};
 use crate::error::InvalidInput;
 use crate::formulation::Formulation;
 use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
-use crate::quadrature::Quadrature;
+use crate::quadrature::{Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::scene::Scene;
 use crate::settings::{Rearrangement, StressUpdate};
@@ -152,6 +153,23 @@ where
         let allowed = "`strain`; `work` needs FLIP, carried values, the standard formulation and the \
                        stress updated last";
         return Err(InvalidInput::new("settings.energy_update", "`work`", allowed));
+    }
+    Ok(())
+}
+
+/// Planes through cut cells are known when the strain is taken at them.
+///
+/// # Errors
+/// When the velocity-pressure formulation updates the stress first, before the samples of the step.
+pub fn check_samples<T: Scalar, const D: usize, M: Method<T, D>>(
+    method: &M,
+) -> Result<(), InvalidInput> {
+    let at_planes = method.quadrature().samples(CellKind::Boundary) == Samples::Wetted;
+    let by_cell = method.formulation() != Formulation::Standard;
+    if at_planes && by_cell && method.stress_update() == StressUpdate::First {
+        let allowed = "`last` or `modified-last`, or another `point_volume`: the planes belong to the \
+                       samples of the step";
+        return Err(InvalidInput::new("settings.stress_update", "`first`", allowed));
     }
     Ok(())
 }

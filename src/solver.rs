@@ -16,13 +16,14 @@ use crate::quadrature::{
 use crate::rearrangement::{Ledger, RearrangerOf};
 use crate::scene::Scene;
 use crate::scene_check::{
-    box_edge, check_energy_update, check_material, check_points, linear_law, minimum_density,
+    box_edge, check_energy_update, check_material, check_points, check_samples, linear_law,
+    minimum_density,
 };
 use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::step::{
-    AffineOf, CellMean, CellSamples, Center, Failure, GridState, NodeForces, ParticlesOf, Pass,
-    Physics, ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
+    AffineOf, CellMean, CellSamples, Center, GridState, NodeForces, ParticlesOf, Pass, Physics,
+    ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
     grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
     rebuild_centers, update_grid,
 };
@@ -103,6 +104,7 @@ where
         }
         check_material(scene)?;
         check_energy_update::<T, D, M, K>(&method, &material)?;
+        check_samples::<T, D, M>(&method)?;
         let physics = Physics {
             equation_of_state,
             linear: linear_law::<T, D, K>(&equation_of_state)?,
@@ -336,30 +338,5 @@ where
             self.counters.n_viscous_pressures += count as u64;
         }
         outcome.failure.map_or(Ok(()), |(point, failure)| Err(self.describe(point, failure)))
-    }
-
-    fn describe(&self, point: usize, failure: Failure) -> StepError {
-        let p = &self.particles;
-        let (id, time) = (p.id[point], self.time);
-        let finite = |v: &[T; D]| v.iter().all(nalgebra::ComplexField::is_finite);
-        match failure {
-            Failure::NotFinite => {
-                let field = if !finite(&p.velocity[point]) {
-                    "velocity"
-                } else if finite(&p.position[point]) {
-                    "density"
-                } else {
-                    "position"
-                };
-                StepError::NotFinite { id, field, time }
-            }
-            Failure::NotPositive => {
-                StepError::NotPositive { id, density: p.density[point].as_f64(), time }
-            }
-            Failure::LeftDomain => {
-                let position = p.position[point].iter().map(|x| x.as_f64()).collect();
-                StepError::LeftDomain { id, position, time }
-            }
-        }
     }
 }

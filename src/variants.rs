@@ -254,12 +254,6 @@ where
             let allowed = "absent, or a variant with the velocity-pressure formulation";
             return Err(InvalidInput::new("settings.pressure_limiter", "a limiter", allowed));
         }
-        let plane = self.settings.point_volume == PointVolume::Plane;
-        if plane && method.stress_update() == StressUpdate::First && by_cell {
-            let allowed = "`last` or `modified-last`, or another `point_volume`: the planes belong to the \
-                           samples of the step";
-            return Err(InvalidInput::new("settings.stress_update", "`first`", allowed));
-        }
         Ok(())
     }
 }

@@ -15,8 +15,8 @@ use transpoint::quadrature::{
 use transpoint::scene::{Boundary, PointSpec, Scene};
 use transpoint::shape::{Linear, QuadraticBspline};
 use transpoint::step::View;
-use transpoint::variants::PointVolume;
-use transpoint::{Observation, Simulation};
+use transpoint::variants::{PointVolume, StressUpdate};
+use transpoint::{Observation, Settings, Simulation, Variant};
 
 fn classified<const D: usize>(scene: &Scene<D>) -> CloudData<f64, D> {
     let mut data = CloudData::new(scene);
@@ -281,5 +281,22 @@ fn boxes_of_a_lattice_end_at_its_surface() {
             let found = boxed_volume(&data.cloud(), 0.5, slot) / (spacing[0] * spacing[1]);
             near("volume", found, expected, 1e-12).unwrap();
         }
+    }
+}
+
+/// With the stress updated first, the strain is taken before the step has its planes.
+#[test]
+fn planes_need_the_samples_of_the_step() {
+    let scene = Block { fluid: [[0.0, 4.0]; 2], ..Block::<2>::full(6, Boundary::Slip) }.scene();
+    let settings = |stress_update| Settings {
+        point_volume: PointVolume::Plane,
+        stress_update,
+        ..Settings::default()
+    };
+    let refused = Variant::TpmVp.build_2d(&scene, &settings(StressUpdate::First)).err().unwrap();
+    assert_eq!(refused.field, "settings.stress_update");
+    for allowed in [StressUpdate::Last, StressUpdate::ModifiedLast] {
+        let mut simulation = Variant::TpmVp.build_2d(&scene, &settings(allowed)).unwrap();
+        simulation.step(DT).unwrap();
     }
 }

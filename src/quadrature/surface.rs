@@ -4,7 +4,7 @@ use super::plane::{Plane, normal};
 use super::{Quadrature, Samples};
 use crate::Scalar;
 use crate::cells::{ABSENT, CellKind, Cells};
-use crate::grid::Grid;
+use crate::grid::{Grid, shift_of};
 use crate::material::Material;
 use crate::method::Method;
 use crate::parallel::for_each_block;
@@ -18,7 +18,7 @@ use crate::step::{CELL_GRAIN, Center, StateOf, View};
 pub fn classify<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
     for slot in 0..cells.len() {
         let cell = grid.cell_coordinates(cells.index[slot]);
-        let empty = any_neighbor(grid, cell, |found| cells.slot_of[found] == ABSENT);
+        let empty = grid.around(cell).any(|found| cells.slot_of[found] == ABSENT);
         cells.kind[slot] = if empty { CellKind::Boundary } else { CellKind::Internal };
     }
     mark_near_surface(grid, cells);
@@ -45,28 +45,11 @@ pub fn classify_by_volume<T: Scalar, const D: usize>(
 pub fn mark_near_surface<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
     for slot in 0..cells.len() {
         let cell = grid.cell_coordinates(cells.index[slot]);
-        cells.near_surface[slot] = any_neighbor(grid, cell, |found| {
+        cells.near_surface[slot] = grid.around(cell).any(|found| {
             let neighbor = cells.slot_of[found];
             neighbor == ABSENT || cells.kind[neighbor as usize] == CellKind::Boundary
         });
     }
-}
-
-/// Whether a cell or one of its neighbours within the box meets a condition.
-fn any_neighbor<T: Scalar, const D: usize>(
-    grid: &Grid<T, D>,
-    cell: [usize; D],
-    condition: impl Fn(usize) -> bool,
-) -> bool {
-    (0..3_usize.pow(D as u32)).any(|code| {
-        let mut rest = code;
-        let shift = std::array::from_fn(|_| {
-            let step = (rest % 3) as i32 - 1;
-            rest /= 3;
-            step
-        });
-        grid.neighbor(cell, shift).is_some_and(&condition)
-    })
 }
 
 /// Volume of fluid in an active cell, m³: the carried volume of each point fills a box about its position,
@@ -76,7 +59,8 @@ fn any_neighbor<T: Scalar, const D: usize>(
 /// points in 3D differ from the same points in 2D.
 ///
 /// What of a box lies in cells without points, or beyond a wall, counts in the point's own cell, so that the
-/// sum over all active cells is the carried volume. It changes continuously as points cross faces.
+/// sum over all active cells is the carried volume. It changes continuously
+/// as points cross faces between such cells.
 pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, edge: T, slot: usize) -> T {
     let Cloud { grid, cells, .. } = *cloud;
     let cell = grid.cell_coordinates(cells.index[slot]);
@@ -122,17 +106,6 @@ fn shares<T: Scalar, const D: usize>(offset: [T; D], edge: T) -> [[T; 3]; D] {
             let (upper, lower) = ((x + reach).min(at + half), (x - reach).max(at - half));
             (upper - lower).max(T::zero()) / edge
         })
-    })
-}
-
-/// Shift in cells of one of the 3^D cells at and around another.
-#[inline(always)]
-fn shift_of<const D: usize>(code: usize) -> [i32; D] {
-    let mut rest = code;
-    std::array::from_fn(|_| {
-        let step = (rest % 3) as i32 - 1;
-        rest /= 3;
-        step
     })
 }
 

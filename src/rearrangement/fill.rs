@@ -84,7 +84,7 @@ where
         // Over a narrow periodic axis the same cell lies on both sides.
         let mut slots = [ABSENT; 27];
         let at = self.grid.cell_coordinates(cell);
-        for (slot, found) in slots.iter_mut().zip(super::around(&self.grid, at)) {
+        for (slot, found) in slots.iter_mut().zip(self.grid.around(at)) {
             *slot = self.cells.slot_of[found];
         }
         slots.sort_unstable();

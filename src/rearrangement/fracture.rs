@@ -1,6 +1,5 @@
 //! Cells that are empty although the fluid fills them.
 
-use super::around;
 use crate::Scalar;
 use crate::cells::Marks;
 use crate::grid::Grid;
@@ -49,7 +48,7 @@ impl Survey {
         were_internal.clear();
         for &cell in occupied {
             let mut full = true;
-            for found in around(grid, grid.cell_coordinates(cell)) {
+            for found in grid.around(grid.cell_coordinates(cell)) {
                 if !is_occupied(found) {
                     marks.set(found);
                     full = false;

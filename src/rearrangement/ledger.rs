@@ -69,7 +69,7 @@ impl<const D: usize> Totals<D> {
 /// after, so that the difference is exact for the whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event<const D: usize> {
-    /// Time at the start of the step, s.
+    /// Time at the end of the step, s.
     pub time: f64,
     /// What was done.
     pub kind: EventKind,

@@ -15,7 +15,6 @@ pub use ledger::{Event, EventKind, EventSum, Ledger, Totals};
 use crate::Scalar;
 use crate::cells::ABSENT;
 use crate::error::InvalidInput;
-use crate::grid::Grid;
 use crate::material::Material;
 use crate::math::{Field, Value, Vector};
 use crate::method::Method;
@@ -58,7 +57,7 @@ where
     M: Method<T, D>,
     K: Material<T, D>,
 {
-    /// Sets what is done to the points at the start of each step from now on.
+    /// Sets what is done to the points at the end of each step from now on.
     ///
     /// # Errors
     /// When a setting is out of range, or the method cannot honour it: new and moved points need fields
@@ -195,20 +194,4 @@ where
 /// A field that a method or material may lack.
 fn other_field<F: Default>(n_components: usize, fit: impl FnOnce() -> Option<F>) -> Option<F> {
     if n_components == 0 { Some(F::default()) } else { fit() }
-}
-
-/// The cells of the box at and around a cell; over a narrow periodic axis one may come twice.
-fn around<T: Scalar, const D: usize>(
-    grid: &Grid<T, D>,
-    cell: [usize; D],
-) -> impl Iterator<Item = usize> {
-    (0..3_usize.pow(D as u32)).filter_map(move |code| {
-        let mut rest = code;
-        let shift = std::array::from_fn(|_| {
-            let step = (rest % 3) as i32 - 1;
-            rest /= 3;
-            step
-        });
-        grid.neighbor(cell, shift)
-    })
 }
