@@ -1,6 +1,6 @@
 //! Growth per step of a linearised map: its Jacobian by differences, its spectral radius by powers.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// Base distance of the differences: a power of two, so that perturbed inputs are exact.
 ///
@@ -26,30 +26,32 @@ const CONVERGED: f64 = 1e-4;
 
 /// The Jacobian of `map` at `base`, one column per input, by central differences of eighth order.
 ///
-/// `base` has at least one entry.
+/// `map` writes as many numbers as it is given.
 ///
 /// # Errors
 /// The first error of the map.
 pub fn jacobian<E>(
     base: &[f64],
-    mut map: impl FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    mut map: impl FnMut(&[f64], &mut [f64]) -> Result<(), E>,
 ) -> Result<DMatrix<f64>, E> {
-    let mut columns = Vec::with_capacity(base.len());
+    let n = base.len();
+    let mut matrix = DMatrix::zeros(n, n);
     let mut input = base.to_vec();
-    for j in 0..base.len() {
-        let mut column = DVector::zeros(0);
+    let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
+    for (j, mut column) in matrix.column_iter_mut().enumerate() {
         for (k, weight) in WEIGHTS.iter().enumerate() {
             let distance = (k + 1) as f64 * EPSILON;
             input[j] = base[j] + distance;
-            let ahead = DVector::from_vec(map(&input)?);
+            map(&input, &mut ahead)?;
             input[j] = base[j] - distance;
-            let difference = (ahead - DVector::from_vec(map(&input)?)) * (weight / EPSILON);
-            column = if k == 0 { difference } else { column + difference };
+            map(&input, &mut behind)?;
+            for ((entry, ahead), behind) in column.iter_mut().zip(&ahead).zip(&behind) {
+                *entry += (ahead - behind) * (weight / EPSILON);
+            }
         }
         input[j] = base[j];
-        columns.push(column);
     }
-    Ok(DMatrix::from_columns(&columns))
+    Ok(matrix)
 }
 
 /// How the powers of a matrix grow.
@@ -137,7 +139,10 @@ fn without_null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
         return matrix.clone();
     }
     factors.p().inv_permute_columns(&mut range);
-    range.rows(0, rank) * factors.q().columns(0, rank)
+    // As (Qᵀ Bᵀ)ᵀ, which spares forming Q.
+    let mut product = range.rows(0, rank).transpose();
+    factors.q_tr_mul(&mut product);
+    product.rows(0, rank).transpose()
 }
 
 #[cfg(test)]
@@ -192,8 +197,9 @@ mod tests {
 
     #[test]
     fn jacobian_of_a_rational_map() {
-        let map = |x: &[f64]| -> Result<Vec<f64>, ()> {
-            Ok(vec![x[0] / (1.0 + 0.7 * x[1]), x[0] * x[0] + (2.0 * x[1]).sin()])
+        let map = |x: &[f64], out: &mut [f64]| -> Result<(), ()> {
+            out.copy_from_slice(&[x[0] / (1.0 + 0.7 * x[1]), x[0] * x[0] + (2.0 * x[1]).sin()]);
+            Ok(())
         };
         let found = jacobian(&[1.0, 0.0], map).unwrap();
         let exact = dmatrix![1.0, -0.7; 2.0, 2.0];

@@ -1,5 +1,7 @@
 //! Errors, dispersion and isotropy of one run.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use transpoint::simulation::PointState;
 use transpoint::{Observation, Scene};
 
@@ -156,7 +158,7 @@ fn loss_and_lag(points: &[Sample<1, 3>], center: f64) -> [f64; 2] {
 /// Measures a run in 2D.
 pub(super) fn plane(parameters: &Parameters, scene: &Scene<2>, state: &Observation<2>) -> Measured {
     let [time, earlier] = times(parameters, state.time);
-    let solution = Radial::new(time, earlier);
+    let solution = Radial::shared(time, earlier);
     let ((points, centers), mut values) =
         errors(scene, state, |position| solution.at(position.map(|x| x - CENTER)));
     for remainder in [0, 2] {
@@ -234,6 +236,18 @@ impl Radial {
         let radii = (0..TABLE_STEPS + 4).map(|i| (i as f64 - 1.0) * step);
         let row = |r: f64| [pulse.pressure(r, time), pulse.velocity(r, earlier)];
         Self { step, table: radii.map(row).collect() }
+    }
+
+    /// The same, formed once for all runs that end at these times: it takes longer than most of them.
+    fn shared(time: f64, earlier: f64) -> Arc<Self> {
+        static FORMED: Mutex<Vec<([f64; 2], Arc<Radial>)>> = Mutex::new(Vec::new());
+        let mut formed = FORMED.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, solution)) = formed.iter().find(|(times, _)| *times == [time, earlier]) {
+            return Arc::clone(solution);
+        }
+        let solution = Arc::new(Self::new(time, earlier));
+        formed.push(([time, earlier], Arc::clone(&solution)));
+        solution
     }
 
     /// Pressure and radial velocity, relative error of the interpolation 10⁻¹⁰.

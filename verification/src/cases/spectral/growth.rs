@@ -95,7 +95,7 @@ fn reported(growth: f64, doubling: f64) -> f64 {
 fn of_one_step<const D: usize>(mut step: Step<'_, D>) -> Result<(Spectrum, f64), String> {
     let base = step.base();
     let width = step.width();
-    let matrix = jacobian(&base, |state| step.advance(state))?;
+    let matrix = jacobian(&base, |state, after| step.advance(state, after))?;
     let uniform = DVector::from_fn(base.len(), |k, _| if k % width == 0 { 1.0 } else { 0.0 });
     let drift = (&matrix * &uniform - &uniform).amax();
     Ok((spectrum(&matrix), drift))

@@ -39,8 +39,8 @@ impl<const D: usize> Step<'_, D> {
         state
     }
 
-    /// The state after one step from `state` at the positions of the scene.
-    pub(super) fn advance(&mut self, state: &[f64]) -> Result<Vec<f64>, String> {
+    /// Writes to `after` the state after one step from `state` at the positions of the scene.
+    pub(super) fn advance(&mut self, state: &[f64], after: &mut [f64]) -> Result<(), String> {
         let width = self.width();
         for (point, values) in self.scene.points.iter_mut().zip(state.chunks(width)) {
             point.velocity.copy_from_slice(&values[..D]);
@@ -49,19 +49,24 @@ impl<const D: usize> Step<'_, D> {
                 row.copy_from_slice(values);
             }
         }
-        if self.variant == Variant::Apic { self.affine_step() } else { self.plain_step() }
+        if self.variant == Variant::Apic { self.affine_step(after) } else { self.plain_step(after) }
     }
 
-    fn plain_step(&self) -> Result<Vec<f64>, String> {
+    fn plain_step(&self, after: &mut [f64]) -> Result<(), String> {
         let mut simulation = (self.build)(self.variant, &self.scene, self.settings)
             .map_err(|error| error.to_string())?;
         simulation.step(self.dt).map_err(|error| error.to_string())?;
-        let points = simulation.observe().points;
-        Ok(points.iter().flat_map(|p| p.velocity.into_iter().chain([p.density])).collect())
+        let width = self.width();
+        simulation.visit_points(&mut |point| {
+            let values = &mut after[point.id as usize * width..][..width];
+            values[..D].copy_from_slice(&point.velocity);
+            values[D] = point.density;
+        });
+        Ok(())
     }
 
     /// [`Variant::Apic`] with its types known, since an observation has no affine field.
-    fn affine_step(&self) -> Result<Vec<f64>, String> {
+    fn affine_step(&self, after: &mut [f64]) -> Result<(), String> {
         let scheme = Scheme {
             shape: QuadraticBspline,
             reconstruction: Carried,
@@ -75,16 +80,15 @@ impl<const D: usize> Step<'_, D> {
         solver.advance(self.dt).map_err(|error| error.to_string())?;
         let points = &solver.particles;
         let width = self.width();
-        let mut state = vec![0.0; width * points.len()];
         for (k, &id) in points.id.iter().enumerate() {
-            let values = &mut state[id as usize * width..(id as usize + 1) * width];
+            let values = &mut after[id as usize * width..][..width];
             values[..D].copy_from_slice(&points.velocity[k]);
             values[D] = points.density[k];
             for (out, row) in values[D + 1..].chunks_mut(D).zip(points.affine[k].0) {
                 out.copy_from_slice(&row);
             }
         }
-        Ok(state)
+        Ok(())
     }
 }
 

@@ -33,7 +33,7 @@ fn determinant_of_linear_mpm_is_the_known_one() {
             dt: courant,
         };
         let base = step.base();
-        let matrix = jacobian(&base, |state| step.advance(state)).unwrap();
+        let matrix = jacobian(&base, |state, after| step.advance(state, after)).unwrap();
         let exact: f64 = (0..8)
             .map(|k| (std::f64::consts::PI * f64::from(k) / 8.0).sin())
             .map(|s| 1.0 - damps * (2.0 * courant * s * s).powi(2))
@@ -58,7 +58,8 @@ fn affine_step_is_the_variant() {
     for (k, value) in state.iter_mut().enumerate() {
         *value += 0.01 * (k as f64).sin();
     }
-    let (found, width) = (step.advance(&state).unwrap(), step.width());
+    let (mut found, width) = (vec![0.0; state.len()], step.width());
+    step.advance(&state, &mut found).unwrap();
     let mut simulation = Variant::Apic.build_2d(&step.scene, &settings).unwrap();
     simulation.step(0.3).unwrap();
     for (values, point) in found.chunks(width).zip(simulation.observe().points) {
