@@ -89,8 +89,11 @@ impl<T: Scalar, const D: usize> Bodies<T, D> {
     ) {
         for (slot, &node) in index.iter().enumerate() {
             let at = grid.node_coordinates(node);
+            // Both images of a node lie at the same place.
             let place: [f64; D] = std::array::from_fn(|axis| {
-                shape.node_coordinate(at[axis], grid.n_cells[axis], grid.periodic[axis]).as_f64()
+                let (n, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
+                let place = shape.node_coordinate(at[axis], n, periodic).as_f64();
+                if periodic { place.rem_euclid(n as f64) } else { place }
             });
             let Some(body) = self.body_at(grid, place) else { continue };
             let spec = &self.scene.bodies[body as usize];
