@@ -35,7 +35,7 @@ pub enum Supply {
     /// ∫ v dt has grown by a point spacing. For points that carry mass, and for all others.
     #[default]
     Flux,
-    /// The two columns of \[Song2020\] §2.4: the points of the first column of cells are put back to
+    /// The two columns of \[Song2020\]: the points of the first column of cells are put back to
     /// their places in every step, and a cell of the second that holds fewer points than at the start
     /// gets new ones, with reconstructed fields. Their nominal mass is what has flowed in since, see
     /// [`InletSpec`].
