@@ -63,22 +63,23 @@ fn allocations<const D: usize>(variant: Variant, settings: &Settings) -> u64
 where
     Scene<D>: Build<D>,
 {
-    let (allocations, n_sorts) = allocations_of(&scene::<D>(), variant, settings);
+    let (allocations, n_sorts) = allocations_of(&scene::<D>(), variant, settings, 80);
     assert!(n_sorts > 10, "{}: nothing moves", variant.name());
     allocations
 }
 
-/// Allocations in 40 steps after 80, and how often the points were sorted meanwhile.
+/// Allocations in 40 steps after the warm-up, and how often the points were sorted meanwhile.
 fn allocations_of<const D: usize>(
     scene: &Scene<D>,
     variant: Variant,
     settings: &Settings,
+    warm_up: usize,
 ) -> (u64, u64)
 where
     Scene<D>: Build<D>,
 {
     let mut simulation = scene.build(variant, settings);
-    for _ in 0..80 {
+    for _ in 0..warm_up {
         simulation.step(0.5 * DT).unwrap();
     }
     let n_sorts = simulation.counters().n_sorts;
@@ -158,7 +159,7 @@ fn inlets_and_outflows_allocate_nothing() {
         ] {
             scene.inlets[0].supply = supply;
             let settings = Settings::default();
-            let (found, n_sorts) = allocations_of(&scene, variant, &settings);
+            let (found, n_sorts) = allocations_of(&scene, variant, &settings, 240);
             assert_eq!(found, 0, "{} {supply:?}", variant.name());
             assert!(n_sorts > 3, "{} {supply:?}: nothing moves", variant.name());
         }
