@@ -35,11 +35,6 @@ where
         }
     }
 
-    fn points_in(&self, cell: u32) -> std::ops::Range<usize> {
-        let slot = self.cells.slot_of[cell as usize];
-        if slot == ABSENT { 0..0 } else { self.cells.points(slot as usize) }
-    }
-
     /// Puts the points of a cell of the first column on its lattice with the prescribed values, takes out
     /// those beyond, and puts in what is missing.
     fn put_back(

@@ -55,35 +55,45 @@ where
             }
             inlets.push(Inlet::new(scene, number, &self.grid)?);
         }
+        let mut fresh = Particles::default();
         for inlet in &inlets {
             let layers = match inlet.spec.supply {
                 Supply::Columns => 2,
                 Supply::Flux => 1,
             };
-            self.fill_layers(inlet, layers);
+            self.fill_layers(inlet, layers, &mut fresh);
         }
-        self.inflow =
-            Some(Box::new(Inflow { inlets, fresh: Particles::default(), places: Vec::new() }));
+        self.particles.append(&mut fresh);
+        self.inflow = Some(Box::new(Inflow { inlets, fresh, places: Vec::new() }));
         Ok(())
     }
 
-    /// Adds the lattice of an inlet in the first layers of cells behind its face.
-    fn fill_layers(&mut self, inlet: &Inlet<T, D>, layers: usize) {
+    /// Makes the lattice of an inlet in the first layers of cells behind its face.
+    fn fill_layers(
+        &mut self,
+        inlet: &Inlet<T, D>,
+        layers: usize,
+        fresh: &mut ParticlesOf<T, D, M, K>,
+    ) {
         let per_cell = inlet.spec.points_per_axis;
         let pitch = inlet.pitch[inlet.spec.axis];
         for row in &inlet.rows {
             for k in 0..layers * per_cell {
                 let position = inlet.place(row, pitch * (T::from_index(k) + T::lit(0.5)));
-                let mut particles = std::mem::take(&mut self.particles);
-                self.push_prescribed(inlet, position, &mut particles);
-                self.particles = particles;
+                self.push_prescribed(inlet, position, fresh);
             }
         }
+    }
+
+    fn points_in(&self, cell: u32) -> std::ops::Range<usize> {
+        let slot = self.cells.slot_of[cell as usize];
+        if slot == ABSENT { 0..0 } else { self.cells.points(slot as usize) }
     }
 
     /// Lets in what has flowed in during a step; points are sorted before and after.
     pub(crate) fn feed(&mut self, dt: T) {
         let Some(mut inflow) = self.inflow.take() else { return };
+        let returned = self.counters.n_points_returned;
         for number in 0..inflow.inlets.len() {
             match inflow.inlets[number].spec.supply {
                 Supply::Flux => {
@@ -99,20 +109,17 @@ where
         }
         self.ledger.enter(&entered);
         self.counters.n_points_entered += inflow.fresh.len() as u64;
-        self.particles.append(&mut inflow.fresh);
-        // Also drops what has come back into the first columns.
-        self.bin_particles();
+        if !inflow.fresh.is_empty() || self.counters.n_points_returned > returned {
+            self.particles.append(&mut inflow.fresh);
+            self.bin_particles();
+        }
         self.inflow = Some(inflow);
     }
 
     /// Gives the points of an inlet's first column the prescribed velocity and density.
     fn prescribe(&mut self, inlet: &Inlet<T, D>) {
         for &cell in &inlet.cells {
-            let slot = self.cells.slot_of[cell as usize];
-            if slot == ABSENT {
-                continue;
-            }
-            for point in self.cells.points(slot as usize) {
+            for point in self.points_in(cell) {
                 self.prescribe_point(inlet, point);
             }
         }
@@ -159,5 +166,8 @@ where
         target.affine[point] =
             <M::Transfer as Transfer<T, D>>::affine_of(inlet.gradient_at(position));
         target.state[point] = self.physics.material.initial(T::zero());
+        if !self.particles.length.is_empty() {
+            target.length.push(inlet.pitch);
+        }
     }
 }
