@@ -68,6 +68,8 @@ pub struct Cells {
     pub kind: Vec<CellKind>,
     /// Slot → whether a node of the cell touches a boundary or empty cell.
     pub near_surface: Vec<bool>,
+    /// Dense number → whether a rigid body fills the cell; without entries where there is no body.
+    pub solid: Vec<bool>,
     marks: Marks,
     order: Vec<u32>,
     cursor: Vec<u32>,
@@ -100,6 +102,18 @@ impl Cells {
     /// Whether no cell is active.
     pub fn is_empty(&self) -> bool {
         self.index.is_empty()
+    }
+
+    /// Whether a cell holds neither points nor a rigid body.
+    #[inline(always)]
+    pub fn is_vacant(&self, cell: usize) -> bool {
+        self.slot_of[cell] == ABSENT && !self.is_solid(cell)
+    }
+
+    /// Whether a rigid body fills a cell.
+    #[inline(always)]
+    pub fn is_solid(&self, cell: usize) -> bool {
+        self.solid.get(cell).is_some_and(|&solid| solid)
     }
 
     /// Points of an active cell.

@@ -66,7 +66,7 @@ where
         self.particles.cell[point] != ABSENT
     }
 
-    /// Adds point `k` of some points, whose cells are known, to totals.
+    /// Adds point `k` of some points to totals; one that has left counts without its affine field.
     pub(crate) fn add_conserved(
         &self,
         p: &ParticlesOf<T, D, M, K>,
@@ -77,7 +77,7 @@ where
         let momentum = p.velocity[k].map(|v| mass * v.as_f64());
         totals.add(mass, p.position[k].map(Scalar::as_f64), momentum);
         totals.internal_energy += mass * K::energy(&p.state[k]).as_f64();
-        if <M::Transfer as Transfer<T, D>>::AFFINE {
+        if <M::Transfer as Transfer<T, D>>::AFFINE && p.cell[k] != ABSENT {
             self.add_affine(p, k, totals);
         }
     }

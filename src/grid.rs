@@ -1,7 +1,7 @@
 //! The background grid: a box of equal cells, row-major with the last axis contiguous.
 
 use crate::error::InvalidInput;
-use crate::scene::{Boundary, GridSpec};
+use crate::scene::{Boundary, GridSpec, Relaxation};
 use crate::{Scalar, shape::AxisPosition};
 
 /// Geometry and numbering of cells and nodes.
@@ -224,6 +224,15 @@ fn check_axis<const D: usize>(
         {
             let field = format!("boundaries[{axis}]");
             return Err(InvalidInput::new(field, format!("{v:?}"), "finite velocities in m/s"));
+        }
+        if let Boundary::Outflow { relaxation: Some(relaxation) } = face {
+            let Relaxation { pressure, velocity, time, layers } = relaxation;
+            let finite = pressure.is_finite() && velocity.unwrap_or(0.0).is_finite();
+            if !(finite && time.is_finite() && time > 0.0 && layers > 0) {
+                let field = format!("boundaries[{axis}].relaxation");
+                let allowed = "finite numbers, a positive time in s, and at least 1 layer";
+                return Err(InvalidInput::new(field, format!("{relaxation:?}"), allowed));
+            }
         }
     }
     Ok(())

@@ -32,8 +32,11 @@ pub mod method;
 pub mod settings;
 pub mod step;
 
+mod bodies;
 pub mod conservation;
 mod failure;
+mod inflow;
+mod outflow;
 pub mod rearrangement;
 pub mod simulation;
 pub mod solver;

@@ -11,10 +11,28 @@ use crate::shape::ShapeFunction;
 pub struct WallNode {
     /// Slot of the node.
     pub slot: u32,
+    /// Slot of the node next to it along the axis, or [`ABSENT`].
+    pub inner: u32,
     /// Axis of the face.
     pub axis: u8,
     /// 0 lower, 1 upper face.
     pub side: u8,
+}
+
+/// Marks a held node that belongs to no body.
+pub const NO_BODY: u32 = u32::MAX;
+
+/// A node within the box whose velocity an inlet or a body prescribes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldNode<T> {
+    /// Slot of the node.
+    pub slot: u32,
+    /// Velocity, m/s, in the first entries.
+    pub velocity: [T; 4],
+    /// Unit vector along which the velocity is prescribed; `None`: all of it is.
+    pub normal: Option<[T; 4]>,
+    /// Number of the body, or [`NO_BODY`].
+    pub body: u32,
 }
 
 /// Node rows: vectors in entries `0..D`, a scalar in entry 3.
@@ -38,8 +56,10 @@ pub struct Nodes<T> {
     pub rebuilt: Vec<[T; 4]>,
     /// Per active cell, the slot of the first node of each of its `REACH^(D−1)` stencil rows.
     pub rows: Vec<u32>,
-    /// Nodes with a prescribed velocity.
+    /// Nodes of faces with a prescribed velocity.
     pub walls: Vec<WallNode>,
+    /// Nodes held by inlets and bodies.
+    pub held: Vec<HeldNode<T>>,
     /// Pairs of slots that are one node, in order of axes.
     pub images: Vec<[u32; 2]>,
     /// Slot of the first node of each slab along the first axis; one entry more than slabs.
@@ -62,6 +82,7 @@ impl<T: Scalar> Nodes<T> {
             rebuilt: Vec::new(),
             rows: Vec::new(),
             walls: Vec::new(),
+            held: Vec::new(),
             images: Vec::new(),
             slab_first: Vec::new(),
             marks: Marks::new(n),
@@ -191,12 +212,26 @@ impl<T: Scalar> Nodes<T> {
             for axis in 0..D {
                 for side in 0..2 {
                     if on_wall[axis][side] == Some(at[axis]) {
+                        let inner = self.inner(grid, node, (axis, side));
                         let (axis, side) = (axis as u8, side as u8);
-                        self.walls.push(WallNode { slot: slot as u32, axis, side });
+                        self.walls.push(WallNode { slot: slot as u32, inner, axis, side });
                     }
                 }
             }
         }
+    }
+
+    /// Slot of the node next to one on a face, [`ABSENT`] if it is not stored.
+    fn inner<const D: usize>(
+        &self,
+        grid: &Grid<T, D>,
+        node: u32,
+        (axis, side): (usize, usize),
+    ) -> u32 {
+        let stride: usize = (axis + 1..D).map(|a| grid.n_nodes(a)).product();
+        let node = node as usize;
+        let inner = if side == 0 { Some(node + stride) } else { node.checked_sub(stride) };
+        inner.and_then(|inner| self.slot_of.get(inner)).copied().unwrap_or(ABSENT)
     }
 
     /// Adds the sums of image nodes, so that both hold the total.

@@ -1,5 +1,11 @@
 //! What is simulated: plain data in SI units, independent of the method that solves it.
 
+mod body;
+mod inlet;
+
+pub use body::{BodyShape, BodySpec, BodySurface};
+pub use inlet::{InletProfile, InletSpec, Side, Supply};
+
 use serde::{Deserialize, Serialize};
 
 /// A box of equal cells.
@@ -31,6 +37,42 @@ pub enum Boundary {
     Periodic,
     /// Traction-free and open: points that cross it are removed and counted.
     Free,
+    /// Open, with the velocity of the nodes next to it (zero gradient); points that cross it are removed
+    /// and counted.
+    Outflow {
+        /// Taking sound out at the face; absent: off.
+        #[serde(default)]
+        relaxation: Option<Relaxation>,
+    },
+}
+
+impl Boundary {
+    /// Whether points may leave through the face.
+    pub const fn is_open(self) -> bool {
+        matches!(self, Self::Free | Self::Outflow { .. })
+    }
+
+    /// An outflow without relaxation.
+    pub const OUTFLOW: Self = Self::Outflow { relaxation: None };
+}
+
+/// Relaxation of the points next to an outflow towards a state beyond it, which lets sound out
+/// \[Poinsot1992\].
+///
+/// The invariant that sound carries in, u − p/(ρc) with the outward velocity u, decays to that of the
+/// state beyond with a time constant; the one that leaves is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Relaxation {
+    /// Pressure beyond, Pa.
+    pub pressure: f64,
+    /// Outward velocity beyond, m/s; absent: that of the point itself.
+    #[serde(default)]
+    pub velocity: Option<f64>,
+    /// Time constant, s.
+    pub time: f64,
+    /// Layers of cells in which it acts.
+    pub layers: usize,
 }
 
 /// Pressure as a function of density.
@@ -140,10 +182,16 @@ pub struct Scene<const D: usize> {
     pub minimum_pressure: Option<f64>,
     /// The points.
     pub points: Vec<PointSpec<D>>,
+    /// Openings through which fluid enters.
+    #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
+    pub inlets: Vec<InletSpec<D>>,
+    /// Rigid bodies.
+    #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<BodySpec<D>>,
 }
 
 impl<const D: usize> Scene<D> {
-    /// A scene of a barotropic inviscid fluid without body force.
+    /// A scene of a barotropic inviscid fluid without body force, inlets or bodies.
     pub fn new(
         grid: GridSpec<D>,
         boundaries: [[Boundary; 2]; D],
@@ -160,6 +208,8 @@ impl<const D: usize> Scene<D> {
             energy: false,
             minimum_pressure: None,
             points,
+            inlets: Vec::new(),
+            bodies: Vec::new(),
         }
     }
 }

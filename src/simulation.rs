@@ -106,8 +106,11 @@ pub trait Simulation<const D: usize>: Send {
     /// Work and event counters since the start.
     fn counters(&self) -> Counters;
 
-    /// What rearrangement did since the start.
+    /// What rearrangement, inlets and open faces did since the start.
     fn ledger(&self) -> &Ledger<D>;
+
+    /// Force of the fluid on each body of the scene over the last step, N; zero before the first.
+    fn body_forces(&self) -> &[[f64; D]];
 
     /// Bytes of state that each point carries.
     fn bytes_per_point(&self) -> usize;
@@ -159,7 +162,7 @@ where
     }
 
     fn grid_mass(&self) -> f64 {
-        if self.rearranger.is_some() { self.grid_mass_before } else { self.sampled_mass() }
+        if self.sorts_twice() { self.grid_mass_before } else { self.sampled_mass() }
     }
 
     fn conserved(&self) -> Conserved<D> {
@@ -172,6 +175,10 @@ where
 
     fn ledger(&self) -> &Ledger<D> {
         &self.ledger
+    }
+
+    fn body_forces(&self) -> &[[f64; D]] {
+        self.bodies.as_ref().map_or(&[], |bodies| &bodies.forces)
     }
 
     fn bytes_per_point(&self) -> usize {

@@ -1,11 +1,13 @@
 //! The solver: a method on a scene, one step at a time.
 
 use crate::Scalar;
+use crate::bodies::Bodies;
 use crate::cells::{ABSENT, Binned, Cells};
 use crate::equation_of_state::EquationOfState;
 use crate::error::{InvalidInput, StepError};
 use crate::formulation::Formulation;
 use crate::grid::Grid;
+use crate::inflow::InflowOf;
 use crate::material::Material;
 use crate::method::Method;
 use crate::nodes::Nodes;
@@ -63,7 +65,11 @@ where
     pub ledger: Ledger<D>,
     pub(crate) rearranger: Option<Box<RearrangerOf<T, D, M, K>>>,
     pub(crate) survey_is_stale: bool,
-    /// Mass by the quadrature of the last step, where points were rearranged since, kg.
+    pub(crate) inflow: Option<Box<InflowOf<T, D, M, K>>>,
+    pub(crate) bodies: Option<Box<Bodies<T, D>>>,
+    /// Number of the next new point.
+    pub(crate) next_id: u32,
+    /// Mass by the quadrature of the last step, where points were sorted since, kg.
     pub(crate) grid_mass_before: f64,
     means: Vec<CellMean<T, D>>,
     sites: Vec<[T; D]>,
@@ -128,6 +134,9 @@ where
             ledger: Ledger::default(),
             rearranger: None,
             survey_is_stale: true,
+            inflow: None,
+            bodies: None,
+            next_id: scene.points.len() as u32,
             grid_mass_before: 0.0,
             means: Vec::new(),
             sites: Vec::new(),
@@ -135,6 +144,8 @@ where
             divergence: Vec::new(),
             strain_is_rebuilt: false,
         };
+        solver.open_inlets(scene)?;
+        solver.place_bodies(scene)?;
         solver.bin_particles();
         Ok(solver)
     }
@@ -172,14 +183,21 @@ where
                 self.grid_to_particles(dt, pass)?;
             }
         }
+        self.relax_outflows(dt);
         self.time += dt.as_f64();
-        if self.rearranger.is_some() {
+        if self.sorts_twice() {
             // Sorting renumbers the nodes, and with them what the quadrature left there.
             self.grid_mass_before = self.sampled_mass();
             self.bin_particles();
+            self.feed(dt);
             self.rearrange();
         }
         Ok(())
+    }
+
+    /// Whether points are sorted at the end of a step too, because some come in or are rearranged.
+    pub(crate) fn sorts_twice(&self) -> bool {
+        self.rearranger.is_some() || self.inflow.is_some()
     }
 
     /// Everything that a phase may read.
@@ -205,6 +223,7 @@ where
         if binned == Binned::NewCells {
             self.survey_is_stale = true;
             nodes.activate(grid, &self.method.shape(), cells, &self.physics.boundaries);
+            self.list_held_nodes();
         }
         if <M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
             self.classify(binned == Binned::NewCells);
@@ -267,15 +286,31 @@ where
     /// Nodes → nodes: the velocity at the end of the step.
     pub fn update_grid(&mut self, dt: T) {
         let Self { physics, nodes, .. } = self;
-        let Nodes { velocity, increment, transfer, force, walls, .. } = nodes;
-        let forces = if fuses_impulse::<T, D, M>() {
-            NodeForces::Fused(transfer)
+        let Nodes { velocity, increment, transfer, force, walls, held, .. } = nodes;
+        let mut bodies = self.bodies.as_mut();
+        let (forces, masses) = if fuses_impulse::<T, D, M>() {
+            (NodeForces::Fused(transfer), &*transfer)
         } else {
-            NodeForces::Separate(force)
+            (NodeForces::Separate(force), &*force)
         };
-        constrain(walls, &physics.boundaries, velocity, None);
+        let fixed = (walls.as_slice(), held.as_slice());
+        if let Some(bodies) = &mut bodies {
+            bodies.note_start(held, velocity);
+        }
+        constrain(fixed, &physics.boundaries, velocity, None);
+        if let Some(bodies) = &mut bodies {
+            let share = <M::Transfer as Transfer<T, D>>::flip_share(&self.method.transfer(), dt);
+            bodies.note_held(held, velocity, share);
+        }
         update_grid(dt, physics.body_force, forces, (velocity, increment));
-        constrain(walls, &physics.boundaries, velocity, Some(increment));
+        if let Some(bodies) = &mut bodies {
+            bodies.note_increment(held, increment, T::one());
+        }
+        constrain(fixed, &physics.boundaries, velocity, Some(increment));
+        if let Some(bodies) = &mut bodies {
+            bodies.note_increment(held, increment, -T::one());
+            bodies.sum_forces(held, masses, dt);
+        }
         if physics.material.wants_work() {
             increment_energy::<T, D>(increment);
         }
@@ -295,10 +330,10 @@ where
         let parts = (ScatterParts::Momentum, T::zero());
         let samples = CellSamples { centers, sites };
         let mut counters = particles_to_grid(&view, samples, parts, nodes);
-        let Nodes { index, transfer, rebuilt, walls, .. } = nodes;
+        let Nodes { index, transfer, rebuilt, walls, held, .. } = nodes;
         rebuilt.resize(index.len(), [T::zero(); 4]);
         counters = counters.sum(node_velocity(&view, index, transfer, rebuilt));
-        constrain(walls, &physics.boundaries, rebuilt, None);
+        constrain((walls, held), &physics.boundaries, rebuilt, None);
         self.counters = self.counters.sum(counters);
         self.strain_is_rebuilt = true;
         self.update_divergence();
@@ -331,6 +366,9 @@ where
         let state = GridState { method, physics, grid, cells, rows, velocity, increment, source };
         let outcome = grid_to_particles(&state, pass, dt, particles.view());
         self.counters.n_points_removed += outcome.n_removed;
+        if outcome.n_removed > 0 {
+            self.let_out();
+        }
         self.counters.n_pressure_cutoffs += outcome.n_raised;
         if K::ANY_LAW && pass.state {
             let viscous = |state: &&StateOf<T, D, K>| K::viscous_pressure(state) != T::zero();

@@ -29,8 +29,14 @@ pub struct Counters {
     pub n_viscous_pressures: u64,
     /// Points raised to the density of the minimum pressure.
     pub n_pressure_cutoffs: u64,
-    /// Points removed through a free face.
+    /// Points removed through an open face.
     pub n_points_removed: u64,
+    /// Points that came in through inlets.
+    pub n_points_entered: u64,
+    /// Points taken out of the first column of an inlet, where they had come back.
+    pub n_points_returned: u64,
+    /// Σ over steps of the points relaxed at outflows.
+    pub n_points_relaxed: u64,
     /// Σ over steps of the numerical fractures found where they are filled.
     pub n_fracture_cells: u64,
     /// Points put into numerical fractures.
@@ -64,6 +70,9 @@ impl Counters {
             n_viscous_pressures: self.n_viscous_pressures + other.n_viscous_pressures,
             n_pressure_cutoffs: self.n_pressure_cutoffs + other.n_pressure_cutoffs,
             n_points_removed: self.n_points_removed + other.n_points_removed,
+            n_points_entered: self.n_points_entered + other.n_points_entered,
+            n_points_returned: self.n_points_returned + other.n_points_returned,
+            n_points_relaxed: self.n_points_relaxed + other.n_points_relaxed,
             n_fracture_cells: self.n_fracture_cells + other.n_fracture_cells,
             n_points_filled: self.n_points_filled + other.n_points_filled,
             n_fills_refused: self.n_fills_refused + other.n_fills_refused,
@@ -74,7 +83,7 @@ impl Counters {
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 20] {
+    pub fn entries(&self) -> [(&'static str, u64); 23] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -90,6 +99,9 @@ impl Counters {
             ("n_viscous_pressures", self.n_viscous_pressures),
             ("n_pressure_cutoffs", self.n_pressure_cutoffs),
             ("n_points_removed", self.n_points_removed),
+            ("n_points_entered", self.n_points_entered),
+            ("n_points_returned", self.n_points_returned),
+            ("n_points_relaxed", self.n_points_relaxed),
             ("n_fracture_cells", self.n_fracture_cells),
             ("n_points_filled", self.n_points_filled),
             ("n_fills_refused", self.n_fills_refused),

@@ -8,7 +8,7 @@ use std::cell::Cell;
 use common::parts::DT;
 use common::scenes::{Block, Build, SPACING};
 use rayon::ThreadPoolBuilder;
-use transpoint::scene::{Boundary, Scene};
+use transpoint::scene::{Boundary, InletProfile, InletSpec, Scene, Side, Supply};
 use transpoint::variants::{Fill, FillMass, FillPoints, Rearrangement, Split, StressUpdate};
 use transpoint::{Settings, Variant};
 
@@ -58,13 +58,28 @@ fn scene<const D: usize>() -> Scene<D> {
     scene
 }
 
-/// Allocations in 40 steps after 80 steps of warm-up; the points must have been sorted meanwhile.
+/// Allocations of a drifting block; the points must have been sorted meanwhile.
 fn allocations<const D: usize>(variant: Variant, settings: &Settings) -> u64
 where
     Scene<D>: Build<D>,
 {
-    let mut simulation = scene::<D>().build(variant, settings);
-    for _ in 0..80 {
+    let (allocations, n_sorts) = allocations_of(&scene::<D>(), variant, settings, 80);
+    assert!(n_sorts > 10, "{}: nothing moves", variant.name());
+    allocations
+}
+
+/// Allocations in 40 steps after the warm-up, and how often the points were sorted meanwhile.
+fn allocations_of<const D: usize>(
+    scene: &Scene<D>,
+    variant: Variant,
+    settings: &Settings,
+    warm_up: usize,
+) -> (u64, u64)
+where
+    Scene<D>: Build<D>,
+{
+    let mut simulation = scene.build(variant, settings);
+    for _ in 0..warm_up {
         simulation.step(0.5 * DT).unwrap();
     }
     let n_sorts = simulation.counters().n_sorts;
@@ -73,8 +88,7 @@ where
         simulation.step(0.5 * DT).unwrap();
     }
     let allocations = ALLOCATIONS.get() - before;
-    assert!(simulation.counters().n_sorts > n_sorts + 10, "{}: nothing moves", variant.name());
-    allocations
+    (allocations, simulation.counters().n_sorts - n_sorts)
 }
 
 fn check<const D: usize>()
@@ -112,6 +126,44 @@ fn steps_of_every_variant_allocate_nothing_in_2d() {
 #[test]
 fn steps_of_every_variant_allocate_nothing_in_3d() {
     check::<3>();
+}
+
+/// A stream through a box: points come in and go out.
+#[test]
+fn inlets_and_outflows_allocate_nothing() {
+    let cells = [8, 4];
+    let spacing = [SPACING[0], SPACING[1]];
+    let speed = 0.11 * SPACING[0] / DT;
+    let fluid = [[2.0, 8.0], [0.0, 4.0]];
+    let mut scene = Block { cells, fluid, ..Block::<2>::full(4, Boundary::Slip) }.scene();
+    for point in &mut scene.points {
+        point.velocity[0] = speed;
+    }
+    scene.boundaries[0][1] = Boundary::OUTFLOW;
+    scene.inlets.push(InletSpec {
+        axis: 0,
+        side: Side::Lower,
+        lower: [0.0; 2],
+        upper: [0.0, 4.0 * spacing[1]],
+        velocity: [speed, 0.0],
+        profile: InletProfile::Uniform,
+        hydrostatic: false,
+        points_per_axis: 2,
+        supply: Supply::Columns,
+    });
+    ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| {
+        for (variant, supply) in [
+            (Variant::TpmVp, Supply::Columns),
+            (Variant::TpmVp, Supply::Flux),
+            (Variant::Apic, Supply::Flux),
+        ] {
+            scene.inlets[0].supply = supply;
+            let settings = Settings::default();
+            let (found, n_sorts) = allocations_of(&scene, variant, &settings, 240);
+            assert_eq!(found, 0, "{} {supply:?}", variant.name());
+            assert!(n_sorts > 3, "{} {supply:?}: nothing moves", variant.name());
+        }
+    });
 }
 
 /// Fractures are looked for and their filling is refused; no point is large enough to be split.

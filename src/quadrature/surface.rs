@@ -13,12 +13,12 @@ use crate::step::{CELL_GRAIN, Center, StateOf, View};
 
 /// Tells boundary cells from internal ones: a boundary cell has an empty cell among its neighbours.
 ///
-/// Diagonal neighbours count (8 in 2D, 26 in 3D). What lies outside the box is not an empty cell.
+/// Diagonal neighbours count (8 in 2D, 26 in 3D). What lies outside the box or in a body is not an empty cell.
 /// A cell is near the surface when it or a neighbour is a boundary cell.
 pub fn classify<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
     for slot in 0..cells.len() {
         let cell = grid.cell_coordinates(cells.index[slot]);
-        let empty = grid.around(cell).any(|found| cells.slot_of[found] == ABSENT);
+        let empty = grid.around(cell).any(|found| cells.is_vacant(found));
         cells.kind[slot] = if empty { CellKind::Boundary } else { CellKind::Internal };
     }
     mark_near_surface(grid, cells);
@@ -46,8 +46,8 @@ pub fn mark_near_surface<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &m
     for slot in 0..cells.len() {
         let cell = grid.cell_coordinates(cells.index[slot]);
         cells.near_surface[slot] = grid.around(cell).any(|found| {
-            let neighbor = cells.slot_of[found];
-            neighbor == ABSENT || cells.kind[neighbor as usize] == CellKind::Boundary
+            let kind = cells.kind.get(cells.slot_of[found] as usize);
+            cells.is_vacant(found) || kind == Some(&CellKind::Boundary)
         });
     }
 }
@@ -144,7 +144,11 @@ pub fn wetted_sites<T, const D: usize, M, K>(
             for (slot, site) in slots.zip(part) {
                 let cell = grid.cell_coordinates(cells.index[slot]);
                 let fraction = |shift| {
-                    let slot = cells.slot_of[grid.neighbor(cell, shift)?];
+                    let found = grid.neighbor(cell, shift)?;
+                    if cells.is_solid(found) {
+                        return None;
+                    }
+                    let slot = cells.slot_of[found];
                     let wet = slot != ABSENT;
                     Some(if wet { centers[slot as usize].volume * per_volume } else { T::zero() })
                 };

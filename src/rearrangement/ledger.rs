@@ -113,16 +113,44 @@ pub struct EventSum<const D: usize> {
     pub change: Totals<D>,
 }
 
-/// Every rearrangement since the start.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// Every rearrangement since the start, and what came in and went out.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ledger<const D: usize> {
     events: Vec<Event<D>>,
+    entered: Totals<D>,
+    left: Totals<D>,
+}
+
+impl<const D: usize> Default for Ledger<D> {
+    fn default() -> Self {
+        Self { events: Vec::new(), entered: Totals::zero(), left: Totals::zero() }
+    }
 }
 
 impl<const D: usize> Ledger<D> {
     /// The events, in order of time.
     pub fn events(&self) -> &[Event<D>] {
         &self.events
+    }
+
+    /// What came in through inlets.
+    pub fn entered(&self) -> &Totals<D> {
+        &self.entered
+    }
+
+    /// What went out through open faces, or back into inlets.
+    pub fn left(&self) -> &Totals<D> {
+        &self.left
+    }
+
+    /// Adds what has come in.
+    pub(crate) fn enter(&mut self, totals: &Totals<D>) {
+        self.entered = self.entered.plus(1.0, totals);
+    }
+
+    /// Adds what has gone out.
+    pub(crate) fn leave(&mut self, totals: &Totals<D>) {
+        self.left = self.left.plus(1.0, totals);
     }
 
     /// Sums over the events of a kind.
@@ -154,7 +182,7 @@ where
     K: Material<T, D>,
 {
     /// Adds one of `particles` to totals.
-    pub(super) fn add_totals(
+    pub(crate) fn add_totals(
         &self,
         particles: &ParticlesOf<T, D, M, K>,
         point: usize,

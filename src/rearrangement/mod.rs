@@ -13,7 +13,6 @@ pub use fracture::{Survey, survey};
 pub use ledger::{Event, EventKind, EventSum, Ledger, Totals};
 
 use crate::Scalar;
-use crate::cells::ABSENT;
 use crate::error::InvalidInput;
 use crate::material::Material;
 use crate::math::{Field, Value, Vector};
@@ -69,7 +68,7 @@ where
         if let Some(settings) = &settings {
             check_rearrangement::<T, D, M>(settings)?;
         }
-        let used = self.rearranger.take().map_or(0, |kept| kept.next_id);
+        self.rearranger = None;
         self.particles.length = Vec::new();
         let Some(settings) = settings else { return Ok(()) };
         if let Some(Split::Stretch(_)) = settings.split {
@@ -82,7 +81,7 @@ where
             fresh: Particles::default(),
             moved: Vec::new(),
             n_steps: 0,
-            next_id: p.id.iter().fold(used, |next, &id| next.max(id.saturating_add(1))),
+            next_id: self.next_id,
             initial_mass: p.mass.iter().map(|mass| mass.as_f64()).sum(),
             created_mass: 0.0,
         }));
@@ -96,6 +95,7 @@ where
             return;
         }
         let Some(mut kept) = self.rearranger.take() else { return };
+        kept.next_id = self.next_id;
         let Rearrangement { fill, most_points, shift, split } = kept.settings;
         self.look_around(&mut kept);
         if let Some(fill) = fill {
@@ -116,6 +116,7 @@ where
         if let Some(split) = split {
             self.split(split, &mut kept);
         }
+        self.next_id = kept.next_id;
         self.rearranger = Some(kept);
     }
 
@@ -123,8 +124,8 @@ where
     fn look_around(&mut self, kept: &mut RearrangerOf<T, D, M, K>) {
         let wanted = kept.settings.fill.is_some() || kept.settings.shift.is_some();
         if self.survey_is_stale && wanted {
-            let slot_of = &self.cells.slot_of;
-            kept.survey.update(&self.grid, &self.cells.index, |cell| slot_of[cell] != ABSENT);
+            let cells = &self.cells;
+            kept.survey.update(&self.grid, &cells.index, |cell| !cells.is_vacant(cell));
             self.survey_is_stale = false;
         }
     }
@@ -141,21 +142,22 @@ where
 
 /// Fields of a point at a place where there was none.
 #[derive(Clone, Copy, Debug)]
-struct Fields<T, const D: usize, A, S> {
-    density: T,
-    velocity: [T; D],
-    affine: A,
-    state: S,
+pub(crate) struct Fields<T, const D: usize, A, S> {
+    pub density: T,
+    pub velocity: [T; D],
+    pub affine: A,
+    pub state: S,
 }
 
-type FieldsOf<T, const D: usize, M, K> = Fields<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>;
+pub(crate) type FieldsOf<T, const D: usize, M, K> =
+    Fields<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>;
 
 /// Fields at a target in cells: density, velocity (ρv)/ρ, affine field and state of the material.
 ///
 /// `None` where there are no points or where they give no positive density. One function for all uses,
 /// since its kernels are large.
 #[inline(never)]
-fn fields_at<T, const D: usize, M, K>(
+pub(crate) fn fields_at<T, const D: usize, M, K>(
     view: &View<'_, T, D, M, K>,
     reconstruction: &M::Reconstruction,
     target: [T; D],

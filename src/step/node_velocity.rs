@@ -2,7 +2,7 @@
 
 use super::{NODE_GRAIN, View};
 use crate::Scalar;
-use crate::cells::{ABSENT, CellKind};
+use crate::cells::CellKind;
 use crate::material::Material;
 use crate::math::{Value, Vector, widen};
 use crate::method::Method;
@@ -126,8 +126,8 @@ where
             -(back as i32)
         });
         view.grid.neighbor(node, shift).is_none_or(|cell| {
-            let slot = view.cells.slot_of[cell];
-            slot != ABSENT && view.cells.kind[slot as usize] == CellKind::Internal
+            let kind = view.cells.kind.get(view.cells.slot_of[cell] as usize);
+            kind == Some(&CellKind::Internal) || view.cells.is_solid(cell)
         })
     })
 }

@@ -71,7 +71,7 @@ pub(crate) fn settle<T: Scalar, const D: usize>(
                 position[axis] = grid.origin[axis];
             }
         } else if below || above {
-            removed |= boundaries[axis][usize::from(above)] == Boundary::Free;
+            removed |= boundaries[axis][usize::from(above)].is_open();
         }
     }
     if removed { Some(ABSENT) } else { grid.cell_of(*position) }

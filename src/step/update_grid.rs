@@ -2,7 +2,9 @@
 
 use super::NODE_GRAIN;
 use crate::Scalar;
-use crate::nodes::WallNode;
+use crate::cells::ABSENT;
+use crate::math::{dot, narrow};
+use crate::nodes::{HeldNode, WallNode};
 use crate::parallel::for_each_block;
 use crate::scene::Boundary;
 
@@ -55,11 +57,13 @@ pub fn increment_energy<T: Scalar, const D: usize>(increment: &mut [[T; 4]]) {
     }
 }
 
-/// Imposes the velocity of each face on the nodes of that face, and takes away its change.
+/// Imposes the velocity of each face on the nodes of that face, then that of outflows, inlets and bodies, and
+/// takes away its change.
 ///
-/// Faces are worked on in order of axes, so that the last axis decides on edges and corners.
+/// Faces are worked on in order of axes, so that the last axis decides on edges and corners. The nodes of an
+/// outflow take velocity and change from the nodes next to them.
 pub fn constrain<T: Scalar, const D: usize>(
-    walls: &[WallNode],
+    (walls, held): (&[WallNode], &[HeldNode<T>]),
     boundaries: &[[Boundary; 2]; D],
     velocity: &mut [[T; 4]],
     mut increment: Option<&mut [[T; 4]]>,
@@ -70,7 +74,7 @@ pub fn constrain<T: Scalar, const D: usize>(
             Boundary::Slip => (axis == normal).then(T::zero),
             Boundary::NoSlip => Some(T::zero()),
             Boundary::Velocity(v) => Some(T::lit(v[axis])),
-            Boundary::Periodic | Boundary::Free => None,
+            Boundary::Periodic | Boundary::Free | Boundary::Outflow { .. } => None,
         };
         for axis in 0..D {
             if let Some(value) = prescribed(axis) {
@@ -81,5 +85,37 @@ pub fn constrain<T: Scalar, const D: usize>(
             }
         }
         velocity[slot][3] = velocity[slot][D - 1];
+    }
+    let is_outflow = |wall: &&WallNode| {
+        let face = boundaries[wall.axis as usize][wall.side as usize];
+        matches!(face, Boundary::Outflow { .. }) && wall.inner != ABSENT
+    };
+    for wall in walls.iter().filter(is_outflow) {
+        let (slot, inner) = (wall.slot as usize, wall.inner as usize);
+        velocity[slot] = velocity[inner];
+        if let Some(increment) = increment.as_deref_mut() {
+            increment[slot] = increment[inner];
+        }
+    }
+    for node in held {
+        let slot = node.slot as usize;
+        hold::<T, D>(&mut velocity[slot], node.velocity, node.normal);
+        velocity[slot][3] = velocity[slot][D - 1];
+        if let Some(increment) = increment.as_deref_mut() {
+            hold::<T, D>(&mut increment[slot], [T::zero(); 4], node.normal);
+        }
+    }
+}
+
+/// Gives a vector the prescribed value, or its part along a unit vector.
+fn hold<T: Scalar, const D: usize>(row: &mut [T; 4], value: [T; 4], normal: Option<[T; 4]>) {
+    let missing: [T; D] = std::array::from_fn(|axis| value[axis] - row[axis]);
+    let normal = normal.map(narrow::<T, D>);
+    let along = normal.map(|normal| dot(missing, normal));
+    for axis in 0..D {
+        row[axis] = match (normal, along) {
+            (Some(normal), Some(along)) => row[axis] + along * normal[axis],
+            _ => value[axis],
+        };
     }
 }
