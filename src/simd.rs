@@ -30,7 +30,12 @@ macro_rules! vectorized {
         #[cfg(target_arch = "x86_64")]
         {
             use $crate::simd::Simd as _;
-            if let Some($simd) = level.as_avx2() {
+            if let Some($simd) = level.as_avx512() {
+                $simd.vectorize(
+                    #[inline(always)]
+                    || $operation,
+                )
+            } else if let Some($simd) = level.as_avx2() {
                 $simd.vectorize(
                     #[inline(always)]
                     || $operation,

@@ -46,15 +46,15 @@ pub fn node_positions<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     grid: &Grid<T, D>,
     cell: [usize; D],
 ) -> [[T; MAX_WIDTH]; D] {
-    std::array::from_fn(|axis| {
-        let mut at = [T::zero(); MAX_WIDTH];
+    let mut at = [[T::zero(); MAX_WIDTH]; D];
+    for axis in 0..D {
         for k in 0..S::REACH {
             let node = cell[axis] + k;
             let coordinate = shape.node_coordinate(node, grid.n_cells[axis], grid.periodic[axis]);
-            at[k] = grid.origin[axis] + grid.spacing[axis] * coordinate;
+            at[axis][k] = grid.origin[axis] + grid.spacing[axis] * coordinate;
         }
-        at
-    })
+    }
+    at
 }
 
 /// One stencil row: fixed indices along all axes but the last.

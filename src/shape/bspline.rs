@@ -29,8 +29,9 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     #[inline(always)]
     fn row(&self, at: AxisPosition<T>) -> Row<T> {
         let (zero, one, half, two) = (T::zero(), T::one(), T::lit(0.5), T::lit(2.0));
-        let at_lower_wall = !at.periodic && at.cell == 0;
-        let at_upper_wall = !at.periodic && at.cell + 1 == at.n_cells;
+        // Without short circuits a wall is a choice of factors, made once per cell.
+        let at_lower_wall = !at.periodic & (at.cell == 0);
+        let at_upper_wall = !at.periodic & (at.cell + 1 == at.n_cells);
         let (before, per_lower_span) = if at_lower_wall { (zero, one) } else { (one, half) };
         let (after, per_upper_span) = if at_upper_wall { (one, one) } else { (two, half) };
 

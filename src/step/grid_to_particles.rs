@@ -139,27 +139,29 @@ where
                 let found = self.gather(simd, &site);
                 let motion = narrow(found.velocity);
                 let old = points.velocity[p];
+                let (mut velocity, mut moved) = (old, position);
                 if pass.velocity {
-                    points.velocity[p] =
-                        blend::<T, D, M::Transfer>(share, old, found.increment, motion);
+                    velocity = blend::<T, D, M::Transfer>(share, old, found.increment, motion);
+                    points.velocity[p] = velocity;
                     if affine {
                         let second =
                             second_moments::<T, D, M::Shape>(&rows, &moments, &node_at, position);
                         points.affine[p] = M::Transfer::affine_from(found.moment, second);
                     }
                 }
+                let mut density = points.density[p];
                 if pass.state {
                     let found = (&found, old, &cell_divergence, cell);
-                    self.strain(simd, p, &mut points, &site, found);
+                    density = self.strain(simd, p, &mut points, &site, found);
                 }
                 if pass.motion {
                     for axis in 0..D {
-                        points.position[p][axis] += dt * motion[axis];
+                        moved[axis] += dt * motion[axis];
                     }
+                    points.position[p] = moved;
                 }
-                let (velocity, density) = (points.velocity[p], points.density[p]);
-                if !is_quiet(&grid, cell, points.position[p], velocity, (density, floor)) {
-                    outcome.note(first + p, check(velocity, points.position[p], density));
+                if !is_quiet(&grid, cell, moved, velocity, (density, floor)) {
+                    outcome.note(first + p, check(velocity, moved, density));
                     if density > T::zero() && density < floor {
                         points.density[p] = floor;
                         outcome.n_raised += 1;
@@ -188,7 +190,7 @@ where
         site.gather(simd, want, velocity, increment)
     }
 
-    /// Updates density and stress of point `p` of the view.
+    /// Updates density and stress of point `p` of the view; returns the density.
     #[inline(always)]
     fn strain<S: Simd>(
         &self,
@@ -197,7 +199,7 @@ where
         points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
         site: &Site<'_, T, D, M::Shape>,
         (found, old, cell_divergence, cell): Found<'_, T, D>,
-    ) {
+    ) -> T {
         let source = &self.state.source;
         let divergence = match cell_divergence {
             CellDivergence::AtPoint if source.is_end_velocity => found.divergence,
@@ -210,7 +212,8 @@ where
             }
         };
         let before = points.density[p];
-        points.density[p] /= T::one() + self.dt * divergence;
+        let density = before / (T::one() + self.dt * divergence);
+        points.density[p] = density;
         if K::PRESENT {
             let gradient = site.velocity_gradient(simd, source.velocity);
             let Physics { material, equation_of_state, .. } = &self.state.physics;
@@ -219,10 +222,11 @@ where
                 let change = site.velocity_gradient(simd, self.state.increment);
                 Work { gradient: mean_gradient(gradient, change), heat }
             });
-            let density = [before, points.density[p]];
+            let density = [before, density];
             let strain = Strain { dt: self.dt, density, divergence, gradient, work };
             points.state[p] = material.update(equation_of_state, &points.state[p], &strain);
         }
+        density
     }
 }
 
