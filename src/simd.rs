@@ -67,9 +67,3 @@ pub fn load<T: Scalar, S: Simd>(simd: S, row: &[T; 4]) -> T::Four<S> {
 pub fn splat<T: Scalar, S: Simd>(simd: S, value: T) -> T::Four<S> {
     T::Four::<S>::splat(simd, value)
 }
-
-/// `row += sum`.
-#[inline(always)]
-pub fn add_to<T: Scalar, S: Simd>(simd: S, row: &mut [T; 4], sum: T::Four<S>) {
-    (load(simd, row) + sum).store_array(row);
-}

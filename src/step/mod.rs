@@ -1,5 +1,6 @@
 //! The phases of a time step: points → grid → points.
 
+mod block;
 mod cell_divergence;
 mod centers;
 mod gather;

@@ -1,5 +1,6 @@
 //! Points and cells → nodes: momentum, mass and force.
 
+use super::block::Block;
 use super::spread::{Site, Spread};
 use super::{CellSamples, StateOf, View};
 use crate::Scalar;
@@ -104,7 +105,7 @@ impl<'a, T> Target<'a, T> {
     #[inline(always)]
     fn starts<const D: usize>(&self, reach: usize, slot: usize) -> &'a [u32] {
         let n_rows = reach.pow(D as u32 - 1);
-        &self.rows[slot * n_rows..(slot + 1) * n_rows]
+        &self.rows[slot * n_rows..][..n_rows]
     }
 }
 
@@ -159,14 +160,20 @@ where
             || view.cells.near_surface[slot];
         if at_center {
             if transfers {
-                self.scatter_points(simd, None, cell, slot, target);
+                let none = (PointVolumes::Scaled(T::zero()), false);
+                self.scatter_points::<S, false>(simd, none, cell, slot, target);
             }
             return u64::from(all);
         }
+        if !all {
+            let none = (PointVolumes::Scaled(T::zero()), false);
+            self.scatter_points::<S, false>(simd, none, cell, slot, target);
+            return 0;
+        }
         let cloud = view.cloud();
-        let volumes = all.then(|| view.method.quadrature().point_volumes(&cloud, slot));
-        self.scatter_points(simd, volumes.map(|v| (v, !by_cell)), cell, slot, target);
-        if all { view.cells.points(slot).len() as u64 } else { 0 }
+        let volumes = view.method.quadrature().point_volumes(&cloud, slot);
+        self.scatter_points::<S, true>(simd, (volumes, !by_cell), cell, slot, target);
+        view.cells.points(slot).len() as u64
     }
 
     /// One Gauss point: mass and stress at the centre of a cell, or only the cell's pressure.
@@ -192,12 +199,13 @@ where
             spread.flux[axis] = load(simd, &flux[axis]);
         }
         let none = [[T::zero(); MAX_WIDTH]; D];
-        let site =
-            Site { rows: &rows, moments: &none, starts: target.starts::<D>(M::Shape::REACH, slot) };
-        let begin = target.node_begin;
-        let sums =
+        let site = Site { rows: &rows, moments: &none };
+        let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
+        let nodes =
             if fuses_impulse::<T, D, M>() { &mut *target.transfer } else { &mut *target.force };
-        site.add::<S, M::Shape>(simd, (false, true), begin, &spread, sums);
+        let mut sums = Block::load::<M::Shape, D>(simd, nodes, starts, begin);
+        site.add::<S, M::Shape>(simd, (false, true), &spread, &mut sums);
+        sums.store::<M::Shape, D>(nodes, starts, begin);
     }
 
     /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
@@ -221,10 +229,10 @@ where
 
     /// The points of a cell: transfer momentum and, given their volumes, mass and force as samples.
     #[inline(always)]
-    fn scatter_points<S: Simd>(
+    fn scatter_points<S: Simd, const SAMPLES: bool>(
         &self,
         simd: S,
-        volumes: Option<(PointVolumes<'_, T, D>, bool)>,
+        (volumes, with_pressure): (PointVolumes<'_, T, D>, bool),
         cell: [usize; D],
         slot: usize,
         target: &mut Target<'_, T>,
@@ -238,6 +246,13 @@ where
         let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
+        let separate = SAMPLES && !fuses_impulse::<T, D, M>();
+        let mut transfer =
+            Block::load::<M::Shape, D>(simd, target.transfer, starts, begin);
+        let mut force = Block::zero(simd);
+        if separate {
+            force = Block::load::<M::Shape, D>(simd, target.force, starts, begin);
+        }
         for point in 0..p.position.len() {
             let position = p.position[point];
             let rows = rows_at(&shape, &grid, cell, position);
@@ -256,25 +271,29 @@ where
                     spread.affine[axis] = load(simd, &widen(column.map(|c| mass * c)));
                 }
             }
-            let site = Site { rows: &rows, moments: &moments, starts };
-            let Some((volumes, with_pressure)) = &volumes else {
-                site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
+            let site = Site { rows: &rows, moments: &moments };
+            if !SAMPLES {
+                site.add::<S, M::Shape>(simd, (affine, false), &spread, &mut transfer);
                 continue;
-            };
+            }
             let (volume, sample_mass) = volumes.of(first + point, mass, density);
             let pressure = view.physics.pressure(density, &p.state[point]);
-            let work = if *with_pressure { volume * pressure } else { T::zero() };
+            let work = if with_pressure { volume * pressure } else { T::zero() };
             let flux = self.flux(work, volume, &p.state[point]);
             for axis in 0..D {
                 spread.flux[axis] = load(simd, &flux[axis]);
             }
             if fuses_impulse::<T, D, M>() {
-                site.add::<S, M::Shape>(simd, (affine, true), begin, &spread, target.transfer);
+                site.add::<S, M::Shape>(simd, (affine, true), &spread, &mut transfer);
             } else {
-                site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
+                site.add::<S, M::Shape>(simd, (affine, false), &spread, &mut transfer);
                 spread.value = load(simd, &[T::zero(), T::zero(), T::zero(), sample_mass]);
-                site.add::<S, M::Shape>(simd, (false, true), begin, &spread, target.force);
+                site.add::<S, M::Shape>(simd, (false, true), &spread, &mut force);
             }
+        }
+        transfer.store::<M::Shape, D>(target.transfer, starts, begin);
+        if separate {
+            force.store::<M::Shape, D>(target.force, starts, begin);
         }
     }
 }
