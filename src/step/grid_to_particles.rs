@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 use super::cell_divergence::CellDivergence;
 use super::gather::{Gathered, Site, Want};
 use super::settle::{Failure, Outcome, check, is_quiet, settle};
+use super::stencil_nodes::StencilNodes;
 use super::{AffineOf, CELL_GRAIN, Physics, StateOf};
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
@@ -107,6 +108,8 @@ where
         let Self { state, pass, dt, begin } = *self;
         let (shape, grid) = (state.method.shape(), *state.grid);
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
+        let want =
+            Want { moments: affine, increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT };
         let share = state.method.transfer().flip_share(dt);
         let floor = state.physics.minimum_density;
         let n_rows = M::Shape::REACH.pow(D as u32 - 1);
@@ -120,7 +123,12 @@ where
             } else {
                 CellDivergence::AtPoint
             };
-            let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
+            let starts = &state.rows[slot * n_rows..][..n_rows];
+            let velocity = StencilNodes::load::<M::Shape, D>(simd, state.velocity, starts, 0);
+            let mut increment = StencilNodes::zero(simd);
+            if want.increment {
+                increment = StencilNodes::load::<M::Shape, D>(simd, state.increment, starts, 0);
+            }
             let of_cell = state.cells.points(slot);
             let first = of_cell.start;
             let mut points = points.part(first - begin..of_cell.end - begin);
@@ -136,7 +144,7 @@ where
                     starts,
                     shape: PhantomData,
                 };
-                let found = self.gather(simd, &site);
+                let found = site.gather(simd, want, &velocity, &increment);
                 let motion = narrow(found.velocity);
                 let old = points.velocity[p];
                 let (mut velocity, mut moved) = (old, position);
@@ -179,17 +187,6 @@ where
         outcome
     }
 
-    /// What the transfer needs from the nodes.
-    #[inline(always)]
-    fn gather<S: Simd>(&self, simd: S, site: &Site<'_, T, D, M::Shape>) -> Gathered<T, D> {
-        let (velocity, increment) = (self.state.velocity, self.state.increment);
-        let want = Want {
-            moments: <M::Transfer as Transfer<T, D>>::AFFINE,
-            increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT,
-        };
-        site.gather(simd, want, velocity, increment)
-    }
-
     /// Updates density and stress of point `p` of the view; returns the density.
     #[inline(always)]
     fn strain<S: Simd>(
@@ -205,7 +202,9 @@ where
             CellDivergence::AtPoint if source.is_end_velocity => found.divergence,
             CellDivergence::AtPoint => {
                 let want = Want { moments: false, increment: false };
-                site.gather(simd, want, source.velocity, &[]).divergence
+                let velocity =
+                    StencilNodes::load::<M::Shape, D>(simd, source.velocity, site.starts, 0);
+                site.gather(simd, want, &velocity, &StencilNodes::zero(simd)).divergence
             }
             CellDivergence::Around(..) => {
                 cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))

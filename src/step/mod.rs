@@ -1,6 +1,5 @@
 //! The phases of a time step: points → grid → points.
 
-mod block;
 mod cell_divergence;
 mod centers;
 mod gather;
@@ -10,6 +9,7 @@ mod node_velocity;
 mod particles_to_grid;
 mod settle;
 mod spread;
+mod stencil_nodes;
 mod stretch;
 mod update_grid;
 

@@ -1,7 +1,7 @@
 //! Points and cells → nodes: momentum, mass and force.
 
-use super::block::Block;
 use super::spread::{Site, Spread};
+use super::stencil_nodes::StencilNodes;
 use super::{CellSamples, StateOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
@@ -203,7 +203,7 @@ where
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
         let nodes =
             if fuses_impulse::<T, D, M>() { &mut *target.transfer } else { &mut *target.force };
-        let mut sums = Block::load::<M::Shape, D>(simd, nodes, starts, begin);
+        let mut sums = StencilNodes::load::<M::Shape, D>(simd, nodes, starts, begin);
         site.add::<S, M::Shape>(simd, (false, true), &spread, &mut sums);
         sums.store::<M::Shape, D>(nodes, starts, begin);
     }
@@ -247,11 +247,10 @@ where
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
         let separate = SAMPLES && !fuses_impulse::<T, D, M>();
-        let mut transfer =
-            Block::load::<M::Shape, D>(simd, target.transfer, starts, begin);
-        let mut force = Block::zero(simd);
+        let mut transfer = StencilNodes::load::<M::Shape, D>(simd, target.transfer, starts, begin);
+        let mut force = StencilNodes::zero(simd);
         if separate {
-            force = Block::load::<M::Shape, D>(simd, target.force, starts, begin);
+            force = StencilNodes::load::<M::Shape, D>(simd, target.force, starts, begin);
         }
         for point in 0..p.position.len() {
             let position = p.position[point];

@@ -1,6 +1,6 @@
 //! The scatter kernel: one sample onto the nodes of its cell.
 
-use super::block::Block;
+use super::stencil_nodes::StencilNodes;
 use crate::Scalar;
 use crate::shape::{MAX_WIDTH, Row, ShapeFunction};
 use crate::simd::{Simd, splat};
@@ -32,7 +32,7 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
         simd: S,
         (affine, flux): (bool, bool),
         spread: &Spread<T::Four<S>, D>,
-        sums: &mut Block<T, S>,
+        sums: &mut StencilNodes<T, S>,
     ) {
         let inner = D - 1;
         let last = &self.rows[inner];
@@ -109,7 +109,7 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
 struct Line<'a, T: Scalar, S: Simd> {
     last: &'a Row<T>,
     along: [T::Four<S>; MAX_WIDTH],
-    sums: &'a mut Block<T, S>,
+    sums: &'a mut StencilNodes<T, S>,
 }
 
 impl<T: Scalar, S: Simd> Line<'_, T, S> {

@@ -9,9 +9,9 @@ const MAX_ROWS: usize = MAX_WIDTH * MAX_WIDTH;
 
 /// Stencil row → node → node row. Where the indices are known when a kernel is compiled, small blocks live in
 /// registers, and none needs a check of its bounds.
-pub(super) struct Block<T: Scalar, S: Simd>(pub [[T::Four<S>; MAX_WIDTH]; MAX_ROWS]);
+pub(super) struct StencilNodes<T: Scalar, S: Simd>(pub [[T::Four<S>; MAX_WIDTH]; MAX_ROWS]);
 
-impl<T: Scalar, S: Simd> Block<T, S> {
+impl<T: Scalar, S: Simd> StencilNodes<T, S> {
     /// A block of zeros.
     #[inline(always)]
     pub fn zero(simd: S) -> Self {
