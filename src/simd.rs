@@ -55,6 +55,7 @@ macro_rules! vectorized {
 pub(crate) use vectorized;
 
 use crate::Scalar;
+use crate::math::widen;
 
 /// Four numbers from memory.
 #[inline(always)]
@@ -66,4 +67,10 @@ pub fn load<T: Scalar, S: Simd>(simd: S, row: &[T; 4]) -> T::Four<S> {
 #[inline(always)]
 pub fn splat<T: Scalar, S: Simd>(simd: S, value: T) -> T::Four<S> {
     T::Four::<S>::splat(simd, value)
+}
+
+/// One number per axis; the rest are zero.
+#[inline(always)]
+pub fn lanes<T: Scalar, S: Simd, const D: usize>(simd: S, values: [T; D]) -> T::Four<S> {
+    load(simd, &widen(values))
 }

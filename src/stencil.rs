@@ -2,7 +2,9 @@
 
 use crate::Scalar;
 use crate::grid::Grid;
-use crate::shape::{MAX_WIDTH, Row, ShapeFunction};
+use crate::math::narrow;
+use crate::shape::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
+use crate::simd::{Simd, SimdBase as _, lanes, load, splat};
 
 /// Rows of shape functions of one point, with derivatives per metre.
 pub type Rows<T, const D: usize> = [Row<T>; D];
@@ -15,8 +17,7 @@ pub fn rows_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     cell: [usize; D],
     position: [T; D],
 ) -> Rows<T, D> {
-    let zero = [T::zero(); MAX_WIDTH];
-    let mut rows = [Row { first: 0, weight: zero, gradient: zero }; D];
+    let mut rows = [Row::zero(); D];
     for axis in 0..D {
         rows[axis] = shape.row(grid.axis_position(position, cell, axis));
         for k in 0..S::WIDTH {
@@ -39,22 +40,97 @@ pub fn rows_at_center<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     rows_at(shape, grid, cell, center)
 }
 
-/// Coordinates of the nodes of a cell's stencil along each axis, m.
-#[inline(always)]
-pub fn node_positions<T: Scalar, const D: usize, S: ShapeFunction<T>>(
-    shape: &S,
-    grid: &Grid<T, D>,
+/// What the points of a cell share. Vectors hold one number per axis.
+#[derive(Clone, Copy)]
+pub struct Frame<T: Scalar, S: Simd, const D: usize> {
+    simd: S,
+    grid: Grid<T, D>,
     cell: [usize; D],
-) -> [[T; MAX_WIDTH]; D] {
-    let mut at = [[T::zero(); MAX_WIDTH]; D];
-    for axis in 0..D {
-        for k in 0..S::REACH {
-            let node = cell[axis] + k;
-            let coordinate = shape.node_coordinate(node, grid.n_cells[axis], grid.periodic[axis]);
-            at[axis][k] = grid.origin[axis] + grid.spacing[axis] * coordinate;
+    /// Nodes of the stencil along each axis, m.
+    nodes: [T::Four<S>; MAX_WIDTH],
+}
+
+impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
+    /// The frame of a cell.
+    #[inline(always)]
+    pub fn new<H: ShapeFunction<T>>(
+        simd: S,
+        shape: &H,
+        grid: &Grid<T, D>,
+        cell: [usize; D],
+    ) -> Self {
+        let mut nodes = [splat(simd, T::zero()); MAX_WIDTH];
+        for k in 0..H::REACH {
+            let mut at = [T::zero(); D];
+            for axis in 0..D {
+                let (n, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
+                let coordinate = shape.node_coordinate(cell[axis] + k, n, periodic);
+                at[axis] = grid.origin[axis] + grid.spacing[axis] * coordinate;
+            }
+            nodes[k] = lanes(simd, at);
         }
+        Self { simd, grid: *grid, cell, nodes }
     }
-    at
+
+    /// Where a position lies in the cell along each axis, in cells.
+    #[inline(always)]
+    pub fn xi(&self, position: [T; D]) -> [T; D] {
+        let Self { simd, grid, cell, .. } = *self;
+        let [origin, inverse_spacing] = grid.padded().map(|row| load(simd, &row));
+        let corner = lanes(simd, cell.map(T::from_index));
+        narrow(((lanes(simd, position) - origin) * inverse_spacing - corner).to_array())
+    }
+
+    /// The shape functions at a position.
+    #[inline(always)]
+    pub fn rows<H: ShapeFunction<T>>(&self, shape: &H, position: [T; D]) -> Rows<T, D> {
+        let Self { simd, grid, cell, .. } = *self;
+        let xi = self.xi(position);
+        let mut at = [AxisPosition { cell: 0, xi: T::zero(), n_cells: 0, periodic: false }; D];
+        for axis in 0..D {
+            let (n_cells, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
+            at[axis] = AxisPosition { cell: cell[axis], xi: xi[axis], n_cells, periodic };
+        }
+        shape.rows(simd, at, grid.padded()[1])
+    }
+
+    /// Moments of the functions about the position at which they were taken.
+    #[inline(always)]
+    pub fn moments<H: ShapeFunction<T>>(
+        &self,
+        rows: &Rows<T, D>,
+        position: [T; D],
+    ) -> Moments<T, D> {
+        let simd = self.simd;
+        let position = lanes(simd, position);
+        let nodes = self.nodes.map(|nodes| nodes.to_array());
+        let mut first = [[T::zero(); MAX_WIDTH]; D];
+        let mut second = splat(simd, T::zero());
+        for k in 0..H::WIDTH {
+            let (mut node, mut weight) = ([T::zero(); D], [T::zero(); D]);
+            for axis in 0..D {
+                node[axis] = nodes[rows[axis].first + k][axis];
+                weight[axis] = rows[axis].weight[k];
+            }
+            let offset = lanes(simd, node) - position;
+            let moment = lanes(simd, weight) * offset;
+            second += moment * offset;
+            let moment = moment.to_array();
+            for axis in 0..D {
+                first[axis][k] = moment[axis];
+            }
+        }
+        Moments { first, second: narrow(second.to_array()) }
+    }
+}
+
+/// Moments of each axis' functions about a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Moments<T, const D: usize> {
+    /// N (x_i − x_p), m.
+    pub first: [[T; MAX_WIDTH]; D],
+    /// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
+    pub second: [T; D],
 }
 
 /// One stencil row: fixed indices along all axes but the last.
@@ -110,21 +186,4 @@ pub fn for_each_outer_row<T: Scalar, const D: usize, S: ShapeFunction<T>>(
             }
         }
     }
-}
-
-/// First moments N (x_i − x_p) of each axis' functions about a point, m.
-#[inline(always)]
-pub fn moments_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
-    rows: &Rows<T, D>,
-    node_at: &[[T; MAX_WIDTH]; D],
-    position: [T; D],
-) -> [[T; MAX_WIDTH]; D] {
-    let mut moments = [[T::zero(); MAX_WIDTH]; D];
-    for axis in 0..D {
-        for k in 0..S::WIDTH {
-            let offset = node_at[axis][rows[axis].first + k] - position[axis];
-            moments[axis][k] = rows[axis].weight[k] * offset;
-        }
-    }
-    moments
 }

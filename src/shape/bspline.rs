@@ -1,7 +1,10 @@
 //! Quadratic and cubic B-splines with knots on the cell faces, open (repeated) at walls.
 
 use super::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
+use std::ops::{Add, Mul, Neg, Sub};
+
 use crate::Scalar;
+use crate::simd::{Simd, SimdBase as _, lanes, load, splat};
 
 /// Quadratic B-splines, \[Steffen2008\]: `n + 2` functions on `n` cells.
 ///
@@ -25,27 +28,34 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     const WIDTH: usize = 3;
     const REACH: usize = 3;
 
-    /// Cox-de Boor recursion written out; a wall only changes the knot spans, 2 to 1 cells.
     #[inline(always)]
     fn row(&self, at: AxisPosition<T>) -> Row<T> {
-        let (zero, one, half, two) = (T::zero(), T::one(), T::lit(0.5), T::lit(2.0));
-        // Without short circuits a wall is a choice of factors, made once per cell.
-        let at_lower_wall = !at.periodic & (at.cell == 0);
-        let at_upper_wall = !at.periodic & (at.cell + 1 == at.n_cells);
-        let (before, per_lower_span) = if at_lower_wall { (zero, one) } else { (one, half) };
-        let (after, per_upper_span) = if at_upper_wall { (one, one) } else { (two, half) };
+        let zero = T::zero();
+        let ([a, b, c], [da, db, dc]) = quadratic(at.xi, knot_spans(at), T::one());
+        Row { first: 0, weight: [a, b, c, zero], gradient: [da, db, dc, zero] }
+    }
 
-        let (left, right) = (per_lower_span * (one - at.xi), per_upper_span * at.xi);
-        Row {
-            first: 0,
-            weight: [
-                left * (one - at.xi),
-                left * (at.xi + before) + right * (after - at.xi),
-                right * at.xi,
-                zero,
-            ],
-            gradient: [-two * left, two * (left - right), two * right, zero],
+    #[inline(always)]
+    fn rows<S: Simd, const D: usize>(
+        &self,
+        simd: S,
+        at: [AxisPosition<T>; D],
+        inverse_spacing: [T; 4],
+    ) -> [Row<T>; D] {
+        let spans = at.map(knot_spans);
+        let spans = std::array::from_fn(|part| lanes(simd, spans.map(|spans| spans[part])));
+        let xi = lanes(simd, at.map(|at| at.xi));
+        let (weight, gradient) = quadratic(xi, spans, splat(simd, T::one()));
+        let scale = load(simd, &inverse_spacing);
+        let mut rows = [Row::zero(); D];
+        for k in 0..3 {
+            let (weight, gradient) = (weight[k].to_array(), (gradient[k] * scale).to_array());
+            for axis in 0..D {
+                rows[axis].weight[k] = weight[axis];
+                rows[axis].gradient[k] = gradient[axis];
+            }
         }
+        rows
     }
 
     #[inline(always)]
@@ -56,6 +66,37 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
         let knots = clamped_knot(index, 1, n_cells) + clamped_knot(index, 0, n_cells);
         T::from_index(knots) / T::lit(2.0)
     }
+}
+
+/// Cells from the lower knot of the middle function to the cell, 1 / cells of the lower knot span, cells
+/// from the cell's lower face to the upper knot, 1 / cells of the upper knot span.
+///
+/// A wall shortens a span from 2 cells to 1. Without short circuits this is a choice of factors, made once
+/// per cell.
+#[inline(always)]
+fn knot_spans<T: Scalar>(at: AxisPosition<T>) -> [T; 4] {
+    let (zero, one, half, two) = (T::zero(), T::one(), T::lit(0.5), T::lit(2.0));
+    let at_lower_wall = !at.periodic & (at.cell == 0);
+    let at_upper_wall = !at.periodic & (at.cell + 1 == at.n_cells);
+    let (before, per_lower_span) = if at_lower_wall { (zero, one) } else { (one, half) };
+    let (after, per_upper_span) = if at_upper_wall { (one, one) } else { (two, half) };
+    [before, per_lower_span, after, per_upper_span]
+}
+
+/// Values and derivatives of the three functions: Cox-de Boor recursion written out.
+#[inline(always)]
+fn quadratic<V>(
+    xi: V,
+    [before, per_lower_span, after, per_upper_span]: [V; 4],
+    one: V,
+) -> ([V; 3], [V; 3])
+where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V> + Neg<Output = V>,
+{
+    let two = one + one;
+    let (left, right) = (per_lower_span * (one - xi), per_upper_span * xi);
+    let value = [left * (one - xi), left * (xi + before) + right * (after - xi), right * xi];
+    (value, [-two * left, two * (left - right), two * right])
 }
 
 /// Cubic B-splines, \[Steffen2008\]: `n + 3` functions on `n` cells.

@@ -15,9 +15,9 @@ use crate::math::{dot, narrow};
 use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
-use crate::shape::{MAX_WIDTH, ShapeFunction};
+use crate::shape::ShapeFunction;
 use crate::simd::{Simd, vectorized};
-use crate::stencil::{Rows, moments_at, node_positions, rows_at};
+use crate::stencil::Frame;
 use crate::transfer::Transfer;
 
 /// Where the state update takes its velocities from.
@@ -116,8 +116,7 @@ where
         let mut outcome = Outcome::default();
         for slot in slots {
             let cell = grid.cell_coordinates(state.cells.index[slot]);
-            let mut moments = [[T::zero(); MAX_WIDTH]; D];
-            let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
+            let frame = Frame::new(simd, &shape, &grid, cell);
             let cell_divergence = if pass.state {
                 CellDivergence::around(state, slot, cell)
             } else {
@@ -134,13 +133,11 @@ where
             let mut points = points.part(first - begin..of_cell.end - begin);
             for p in 0..of_cell.len() {
                 let position = points.position[p];
-                let rows = rows_at(&shape, &grid, cell, position);
-                if affine {
-                    moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
-                }
+                let rows = frame.rows(&shape, position);
+                let moments = frame.moments::<M::Shape>(&rows, position);
                 let site = Site::<T, D, M::Shape> {
                     rows: &rows,
-                    moments: &moments,
+                    moments: &moments.first,
                     starts,
                     shape: PhantomData,
                 };
@@ -152,9 +149,7 @@ where
                     velocity = blend::<T, D, M::Transfer>(share, old, found.increment, motion);
                     points.velocity[p] = velocity;
                     if affine {
-                        let second =
-                            second_moments::<T, D, M::Shape>(&rows, &moments, &node_at, position);
-                        points.affine[p] = M::Transfer::affine_from(found.moment, second);
+                        points.affine[p] = M::Transfer::affine_from(found.moment, moments.second);
                     }
                 }
                 let mut density = points.density[p];
@@ -259,24 +254,6 @@ fn mean_gradient<T: Scalar, const D: usize>(
         }
     }
     end
-}
-
-/// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
-#[inline(always)]
-fn second_moments<T: Scalar, const D: usize, H: ShapeFunction<T>>(
-    rows: &Rows<T, D>,
-    moments: &[[T; MAX_WIDTH]; D],
-    node_at: &[[T; MAX_WIDTH]; D],
-    position: [T; D],
-) -> [T; D] {
-    let mut second = [T::zero(); D];
-    for axis in 0..D {
-        for k in 0..H::WIDTH {
-            let offset = node_at[axis][rows[axis].first + k] - position[axis];
-            second[axis] += moments[axis][k] * offset;
-        }
-    }
-    second
 }
 
 #[inline(always)]

@@ -14,7 +14,7 @@ use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
 use crate::simd::{Simd, load, splat, vectorized};
-use crate::stencil::{moments_at, node_positions, rows_at};
+use crate::stencil::Frame;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
 
@@ -242,8 +242,7 @@ where
         let of_cell = view.cells.points(slot);
         let (first, p) = (of_cell.start, view.particles.part(of_cell));
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
-        let mut moments = [[T::zero(); MAX_WIDTH]; D];
-        let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
+        let frame = Frame::new(simd, &shape, &grid, cell);
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
         let separate = SAMPLES && !fuses_impulse::<T, D, M>();
@@ -254,7 +253,7 @@ where
         }
         for point in 0..p.position.len() {
             let position = p.position[point];
-            let rows = rows_at(&shape, &grid, cell, position);
+            let rows = frame.rows(&shape, position);
             let (mass, density) = (p.mass[point], p.density[point]);
             let mut momentum = [T::zero(); 4];
             for axis in 0..D {
@@ -263,8 +262,8 @@ where
             momentum[3] = mass;
             let mut spread =
                 Spread { value: load(simd, &momentum), affine: [zero; D], flux: [zero; D] };
+            let moments = frame.moments::<M::Shape>(&rows, position).first;
             if affine {
-                moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
                 for axis in 0..D {
                     let column = M::Transfer::affine_column(&p.affine[point], axis);
                     spread.affine[axis] = load(simd, &widen(column.map(|c| mass * c)));
