@@ -55,7 +55,6 @@ macro_rules! vectorized {
 pub(crate) use vectorized;
 
 use crate::Scalar;
-use crate::math::widen;
 
 /// Four numbers from memory.
 #[inline(always)]
@@ -70,7 +69,17 @@ pub fn splat<T: Scalar, S: Simd>(simd: S, value: T) -> T::Four<S> {
 }
 
 /// One number per axis; the rest are zero.
+///
+/// Vectors are made from functions of the axis: an array of a few numbers that a function takes or returns by
+/// value goes through integer registers, even where the function is inlined.
 #[inline(always)]
-pub fn lanes<T: Scalar, S: Simd, const D: usize>(simd: S, values: [T; D]) -> T::Four<S> {
-    load(simd, &widen(values))
+pub fn lanes<T: Scalar, S: Simd, const D: usize>(
+    simd: S,
+    value: impl Fn(usize) -> T,
+) -> T::Four<S> {
+    let mut row = [T::zero(); 4];
+    for axis in 0..D {
+        row[axis] = value(axis);
+    }
+    load(simd, &row)
 }

@@ -2,7 +2,6 @@
 
 use crate::Scalar;
 use crate::grid::Grid;
-use crate::math::narrow;
 use crate::shape::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
 use crate::simd::{Simd, SimdBase as _, lanes, load, splat};
 
@@ -61,37 +60,37 @@ impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
     ) -> Self {
         let mut nodes = [splat(simd, T::zero()); MAX_WIDTH];
         for k in 0..H::REACH {
-            let mut at = [T::zero(); D];
-            for axis in 0..D {
+            nodes[k] = lanes::<T, S, D>(simd, |axis| {
                 let (n, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
                 let coordinate = shape.node_coordinate(cell[axis] + k, n, periodic);
-                at[axis] = grid.origin[axis] + grid.spacing[axis] * coordinate;
-            }
-            nodes[k] = lanes(simd, at);
+                grid.origin[axis] + grid.spacing[axis] * coordinate
+            });
         }
         Self { simd, grid: *grid, cell, nodes }
     }
 
     /// Where a position lies in the cell along each axis, in cells.
     #[inline(always)]
-    pub fn xi(&self, position: [T; D]) -> [T; D] {
-        let Self { simd, grid, cell, .. } = *self;
-        let [origin, inverse_spacing] = grid.padded().map(|row| load(simd, &row));
-        let corner = lanes(simd, cell.map(T::from_index));
-        narrow(((lanes(simd, position) - origin) * inverse_spacing - corner).to_array())
+    pub fn xi(&self, position: &[T; D]) -> T::Four<S> {
+        let Self { simd, grid, cell, .. } = self;
+        let [origin, inverse_spacing] = grid.padded();
+        let corner = lanes::<T, S, D>(*simd, |axis| T::from_index(cell[axis]));
+        let position = lanes::<T, S, D>(*simd, |axis| position[axis]);
+        (position - load(*simd, origin)) * load(*simd, inverse_spacing) - corner
     }
 
     /// The shape functions at a position.
     #[inline(always)]
-    pub fn rows<H: ShapeFunction<T>>(&self, shape: &H, position: [T; D]) -> Rows<T, D> {
-        let Self { simd, grid, cell, .. } = *self;
+    pub fn rows<H: ShapeFunction<T>>(&self, shape: &H, position: &[T; D]) -> Rows<T, D> {
+        let Self { simd, grid, cell, .. } = self;
         let xi = self.xi(position);
         let mut at = [AxisPosition { cell: 0, xi: T::zero(), n_cells: 0, periodic: false }; D];
         for axis in 0..D {
             let (n_cells, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
-            at[axis] = AxisPosition { cell: cell[axis], xi: xi[axis], n_cells, periodic };
+            at[axis] =
+                AxisPosition { cell: cell[axis], xi: xi.as_array()[axis], n_cells, periodic };
         }
-        shape.rows(simd, at, grid.padded()[1])
+        shape.rows(*simd, &at, &grid.padded()[1])
     }
 
     /// Moments of the functions about the position at which they were taken.
@@ -99,38 +98,33 @@ impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
     pub fn moments<H: ShapeFunction<T>>(
         &self,
         rows: &Rows<T, D>,
-        position: [T; D],
-    ) -> Moments<T, D> {
+        position: &[T; D],
+    ) -> Moments<T, S, D> {
         let simd = self.simd;
-        let position = lanes(simd, position);
-        let nodes = self.nodes.map(|nodes| nodes.to_array());
+        let position = lanes::<T, S, D>(simd, |axis| position[axis]);
         let mut first = [[T::zero(); MAX_WIDTH]; D];
         let mut second = splat(simd, T::zero());
         for k in 0..H::WIDTH {
-            let (mut node, mut weight) = ([T::zero(); D], [T::zero(); D]);
-            for axis in 0..D {
-                node[axis] = nodes[rows[axis].first + k][axis];
-                weight[axis] = rows[axis].weight[k];
-            }
-            let offset = lanes(simd, node) - position;
-            let moment = lanes(simd, weight) * offset;
+            let node =
+                lanes::<T, S, D>(simd, |axis| self.nodes[rows[axis].first + k].as_array()[axis]);
+            let offset = node - position;
+            let moment = lanes::<T, S, D>(simd, |axis| rows[axis].weight[k]) * offset;
             second += moment * offset;
-            let moment = moment.to_array();
             for axis in 0..D {
-                first[axis][k] = moment[axis];
+                first[axis][k] = moment.as_array()[axis];
             }
         }
-        Moments { first, second: narrow(second.to_array()) }
+        Moments { first, second }
     }
 }
 
 /// Moments of each axis' functions about a point.
-#[derive(Clone, Copy, Debug)]
-pub struct Moments<T, const D: usize> {
+#[derive(Clone, Copy)]
+pub struct Moments<T: Scalar, S: Simd, const D: usize> {
     /// N (x_i − x_p), m.
     pub first: [[T; MAX_WIDTH]; D],
     /// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
-    pub second: [T; D],
+    pub second: T::Four<S>,
 }
 
 /// One stencil row: fixed indices along all axes but the last.

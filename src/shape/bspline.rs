@@ -31,7 +31,8 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     #[inline(always)]
     fn row(&self, at: AxisPosition<T>) -> Row<T> {
         let zero = T::zero();
-        let ([a, b, c], [da, db, dc]) = quadratic(at.xi, knot_spans(at), T::one());
+        let (lower, upper) = (lower_span(&at), upper_span(&at));
+        let ([a, b, c], [da, db, dc]) = quadratic(at.xi, lower, upper, T::one());
         Row { first: 0, weight: [a, b, c, zero], gradient: [da, db, dc, zero] }
     }
 
@@ -39,20 +40,26 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     fn rows<S: Simd, const D: usize>(
         &self,
         simd: S,
-        at: [AxisPosition<T>; D],
-        inverse_spacing: [T; 4],
+        at: &[AxisPosition<T>; D],
+        inverse_spacing: &[T; 4],
     ) -> [Row<T>; D] {
-        let spans = at.map(knot_spans);
-        let spans = std::array::from_fn(|part| lanes(simd, spans.map(|spans| spans[part])));
-        let xi = lanes(simd, at.map(|at| at.xi));
-        let (weight, gradient) = quadratic(xi, spans, splat(simd, T::one()));
-        let scale = load(simd, &inverse_spacing);
+        let lower = (
+            lanes::<T, S, D>(simd, |axis| lower_span(&at[axis]).0),
+            lanes::<T, S, D>(simd, |axis| lower_span(&at[axis]).1),
+        );
+        let upper = (
+            lanes::<T, S, D>(simd, |axis| upper_span(&at[axis]).0),
+            lanes::<T, S, D>(simd, |axis| upper_span(&at[axis]).1),
+        );
+        let xi = lanes::<T, S, D>(simd, |axis| at[axis].xi);
+        let (weight, gradient) = quadratic(xi, lower, upper, splat(simd, T::one()));
+        let scale = load(simd, inverse_spacing);
         let mut rows = [Row::zero(); D];
         for k in 0..3 {
-            let (weight, gradient) = (weight[k].to_array(), (gradient[k] * scale).to_array());
+            let gradient = gradient[k] * scale;
             for axis in 0..D {
-                rows[axis].weight[k] = weight[axis];
-                rows[axis].gradient[k] = gradient[axis];
+                rows[axis].weight[k] = weight[k].as_array()[axis];
+                rows[axis].gradient[k] = gradient.as_array()[axis];
             }
         }
         rows
@@ -68,26 +75,29 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     }
 }
 
-/// Cells from the lower knot of the middle function to the cell, 1 / cells of the lower knot span, cells
-/// from the cell's lower face to the upper knot, 1 / cells of the upper knot span.
+/// Cells from the lowest knot of the middle function to the cell, and 1 / cells to the cell's upper face.
 ///
-/// A wall shortens a span from 2 cells to 1. Without short circuits this is a choice of factors, made once
-/// per cell.
+/// A wall shortens the span from 2 cells to 1. Without short circuits this is a choice of factors, made
+/// once per cell.
 #[inline(always)]
-fn knot_spans<T: Scalar>(at: AxisPosition<T>) -> [T; 4] {
-    let (zero, one, half, two) = (T::zero(), T::one(), T::lit(0.5), T::lit(2.0));
-    let at_lower_wall = !at.periodic & (at.cell == 0);
-    let at_upper_wall = !at.periodic & (at.cell + 1 == at.n_cells);
-    let (before, per_lower_span) = if at_lower_wall { (zero, one) } else { (one, half) };
-    let (after, per_upper_span) = if at_upper_wall { (one, one) } else { (two, half) };
-    [before, per_lower_span, after, per_upper_span]
+fn lower_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
+    let at_wall = !at.periodic & (at.cell == 0);
+    if at_wall { (T::zero(), T::one()) } else { (T::one(), T::lit(0.5)) }
+}
+
+/// Cells from the cell's lower face to the highest knot of the middle function, and their inverse.
+#[inline(always)]
+fn upper_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
+    let at_wall = !at.periodic & (at.cell + 1 == at.n_cells);
+    if at_wall { (T::one(), T::one()) } else { (T::lit(2.0), T::lit(0.5)) }
 }
 
 /// Values and derivatives of the three functions: Cox-de Boor recursion written out.
 #[inline(always)]
 fn quadratic<V>(
     xi: V,
-    [before, per_lower_span, after, per_upper_span]: [V; 4],
+    (before, per_lower_span): (V, V),
+    (after, per_upper_span): (V, V),
     one: V,
 ) -> ([V; 3], [V; 3])
 where

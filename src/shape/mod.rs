@@ -79,8 +79,8 @@ pub trait ShapeFunction<T: Scalar>: Copy + Send + Sync {
     fn rows<S: Simd, const D: usize>(
         &self,
         _simd: S,
-        at: [AxisPosition<T>; D],
-        inverse_spacing: [T; 4],
+        at: &[AxisPosition<T>; D],
+        inverse_spacing: &[T; 4],
     ) -> [Row<T>; D] {
         let mut rows = [Row::zero(); D];
         for axis in 0..D {

@@ -16,7 +16,7 @@ use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
 use crate::shape::ShapeFunction;
-use crate::simd::{Simd, vectorized};
+use crate::simd::{Simd, SimdBase as _, vectorized};
 use crate::stencil::Frame;
 use crate::transfer::Transfer;
 
@@ -133,8 +133,8 @@ where
             let mut points = points.part(first - begin..of_cell.end - begin);
             for p in 0..of_cell.len() {
                 let position = points.position[p];
-                let rows = frame.rows(&shape, position);
-                let moments = frame.moments::<M::Shape>(&rows, position);
+                let rows = frame.rows(&shape, &position);
+                let moments = frame.moments::<M::Shape>(&rows, &position);
                 let site = Site::<T, D, M::Shape> {
                     rows: &rows,
                     moments: &moments.first,
@@ -142,14 +142,21 @@ where
                     shape: PhantomData,
                 };
                 let found = site.gather(simd, want, &velocity, &increment);
-                let motion = narrow(found.velocity);
                 let old = points.velocity[p];
                 let (mut velocity, mut moved) = (old, position);
                 if pass.velocity {
-                    velocity = blend::<T, D, M::Transfer>(share, old, found.increment, motion);
+                    for axis in 0..D {
+                        velocity[axis] = found.velocity[axis];
+                        if want.increment {
+                            let (kept, rest) =
+                                (old[axis] + found.increment[axis], T::one() - share);
+                            velocity[axis] = share * kept + rest * velocity[axis];
+                        }
+                    }
                     points.velocity[p] = velocity;
                     if affine {
-                        points.affine[p] = M::Transfer::affine_from(found.moment, moments.second);
+                        let second = moments.second.as_array();
+                        points.affine[p] = M::Transfer::affine_from(&found.moment, second);
                     }
                 }
                 let mut density = points.density[p];
@@ -159,12 +166,13 @@ where
                 }
                 if pass.motion {
                     for axis in 0..D {
-                        moved[axis] += dt * motion[axis];
+                        moved[axis] += dt * found.velocity[axis];
                     }
                     points.position[p] = moved;
                 }
-                if !is_quiet(&grid, cell, moved, velocity, (density, floor)) {
-                    outcome.note(first + p, check(velocity, moved, density));
+                let xi = frame.xi(&moved);
+                if !is_quiet::<T, D>(xi.as_array(), &velocity, (density, floor)) {
+                    outcome.note(first + p, check(&velocity, &moved, density));
                     if density > T::zero() && density < floor {
                         points.density[p] = floor;
                         outcome.n_raised += 1;
@@ -254,20 +262,6 @@ fn mean_gradient<T: Scalar, const D: usize>(
         }
     }
     end
-}
-
-#[inline(always)]
-fn blend<T: Scalar, const D: usize, X: Transfer<T, D>>(
-    share: T,
-    old: [T; D],
-    increment: [T; 4],
-    grid: [T; D],
-) -> [T; D] {
-    if !X::USES_INCREMENT {
-        return grid;
-    }
-    let rest = T::one() - share;
-    std::array::from_fn(|axis| share * (old[axis] + increment[axis]) + rest * grid[axis])
 }
 
 #[inline(always)]

@@ -6,14 +6,13 @@ use super::{CellSamples, StateOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
 use crate::material::Material;
-use crate::math::widen;
 use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::parallel::fold_blocks;
 use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, load, splat, vectorized};
+use crate::simd::{Simd, lanes, load, splat, vectorized};
 use crate::stencil::Frame;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
@@ -253,7 +252,7 @@ where
         }
         for point in 0..p.position.len() {
             let position = p.position[point];
-            let rows = frame.rows(&shape, position);
+            let rows = frame.rows(&shape, &position);
             let (mass, density) = (p.mass[point], p.density[point]);
             let mut momentum = [T::zero(); 4];
             for axis in 0..D {
@@ -262,11 +261,12 @@ where
             momentum[3] = mass;
             let mut spread =
                 Spread { value: load(simd, &momentum), affine: [zero; D], flux: [zero; D] };
-            let moments = frame.moments::<M::Shape>(&rows, position).first;
+            let moments = frame.moments::<M::Shape>(&rows, &position).first;
             if affine {
                 for axis in 0..D {
-                    let column = M::Transfer::affine_column(&p.affine[point], axis);
-                    spread.affine[axis] = load(simd, &widen(column.map(|c| mass * c)));
+                    spread.affine[axis] = lanes::<T, S, D>(simd, |row| {
+                        mass * M::Transfer::affine_entry(&p.affine[point], row, axis)
+                    });
                 }
             }
             let site = Site { rows: &rows, moments: &moments };

@@ -46,7 +46,8 @@ pub(super) fn grid_spec(n: usize) -> GridSpec<2> {
 
 /// The grid with the nodes of a shape function that stores `extra` nodes more than cells.
 pub(super) fn grid(n: usize, extra: usize) -> Grid<f64, 2> {
-    Grid::new(&grid_spec(n), &BOUNDARIES, extra).expect("the unit square in n by n cells is a valid grid")
+    Grid::new(&grid_spec(n), &BOUNDARIES, extra)
+        .expect("the unit square in n by n cells is a valid grid")
 }
 
 /// Traction-free faces: no velocity is prescribed.
