@@ -1,7 +1,8 @@
 //! Run-time choice of the instruction set for the hot kernels.
 //!
-//! Kernels take a token of the instruction set as an argument and are compiled once for the baseline
-//! and once for AVX2. No fused multiply-add is used: every level rounds the same way.
+//! Kernels take a token of the instruction set as an argument and are compiled for the baseline, for AVX2
+//! and for AVX-512, whose 32 registers hold the nodes of a cell in 2D; vectors have four numbers on all of
+//! them. No fused multiply-add is used: every level rounds the same way.
 
 pub use fearless_simd::prelude::*;
 pub use fearless_simd::{Level, Simd};
