@@ -45,12 +45,16 @@ pub struct Frame<T: Scalar, S: Simd, const D: usize> {
     simd: S,
     grid: Grid<T, D>,
     cell: [usize; D],
+    /// Lower corner of the grid, m, and 1 / spacing, 1/m.
+    origin: T::Four<S>,
+    inverse_spacing: T::Four<S>,
     /// Nodes of the stencil along each axis, m.
     nodes: [T::Four<S>; MAX_WIDTH],
 }
 
 impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
-    /// The frame of a cell.
+    /// The frame of a cell. The grid should be the one that the phase was given, not a copy: a copy of
+    /// the padding in the spare lanes may be left out, and they then hold whatever lies on the stack.
     #[inline(always)]
     pub fn new<H: ShapeFunction<T>>(
         simd: S,
@@ -66,17 +70,17 @@ impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
                 grid.origin[axis] + grid.spacing[axis] * coordinate
             });
         }
-        Self { simd, grid: *grid, cell, nodes }
+        let [origin, inverse_spacing] = grid.padded();
+        let (origin, inverse_spacing) = (load(simd, origin), load(simd, inverse_spacing));
+        Self { simd, grid: *grid, cell, origin, inverse_spacing, nodes }
     }
 
     /// Where a position lies in the cell along each axis, in cells.
     #[inline(always)]
     pub fn xi(&self, position: &[T; D]) -> T::Four<S> {
-        let Self { simd, grid, cell, .. } = self;
-        let [origin, inverse_spacing] = grid.padded();
-        let corner = lanes::<T, S, D>(*simd, |axis| T::from_index(cell[axis]));
-        let position = lanes::<T, S, D>(*simd, |axis| position[axis]);
-        (position - load(*simd, origin)) * load(*simd, inverse_spacing) - corner
+        let corner = lanes::<T, S, D>(self.simd, |axis| T::from_index(self.cell[axis]));
+        let position = lanes::<T, S, D>(self.simd, |axis| position[axis]);
+        (position - self.origin) * self.inverse_spacing - corner
     }
 
     /// The shape functions at a position.
@@ -90,7 +94,7 @@ impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
             at[axis] =
                 AxisPosition { cell: cell[axis], xi: xi.as_array()[axis], n_cells, periodic };
         }
-        shape.rows(*simd, &at, &grid.padded()[1])
+        shape.rows(*simd, &at, self.inverse_spacing)
     }
 
     /// Moments of the functions about the position at which they were taken.

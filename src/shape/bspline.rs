@@ -4,7 +4,7 @@ use super::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::Scalar;
-use crate::simd::{Simd, SimdBase as _, lanes, load, splat};
+use crate::simd::{Simd, SimdBase as _, lanes, splat};
 
 /// Quadratic B-splines, \[Steffen2008\]: `n + 2` functions on `n` cells.
 ///
@@ -41,7 +41,7 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
         &self,
         simd: S,
         at: &[AxisPosition<T>; D],
-        inverse_spacing: &[T; 4],
+        inverse_spacing: T::Four<S>,
     ) -> [Row<T>; D] {
         let lower = (
             lanes::<T, S, D>(simd, |axis| lower_span(&at[axis]).0),
@@ -53,10 +53,9 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
         );
         let xi = lanes::<T, S, D>(simd, |axis| at[axis].xi);
         let (weight, gradient) = quadratic(xi, lower, upper, splat(simd, T::one()));
-        let scale = load(simd, inverse_spacing);
         let mut rows = [Row::zero(); D];
         for k in 0..3 {
-            let gradient = gradient[k] * scale;
+            let gradient = gradient[k] * inverse_spacing;
             for axis in 0..D {
                 rows[axis].weight[k] = weight[k].as_array()[axis];
                 rows[axis].gradient[k] = gradient.as_array()[axis];

@@ -9,7 +9,7 @@ pub use gimp::Gimp;
 pub use linear::Linear;
 
 use crate::Scalar;
-use crate::simd::Simd;
+use crate::simd::{Simd, SimdBase as _};
 
 /// Most functions of one axis that are non-zero at a point (cubic B-spline).
 pub const MAX_WIDTH: usize = 4;
@@ -80,13 +80,13 @@ pub trait ShapeFunction<T: Scalar>: Copy + Send + Sync {
         &self,
         _simd: S,
         at: &[AxisPosition<T>; D],
-        inverse_spacing: &[T; 4],
+        inverse_spacing: T::Four<S>,
     ) -> [Row<T>; D] {
         let mut rows = [Row::zero(); D];
         for axis in 0..D {
             rows[axis] = self.row(at[axis]);
             for k in 0..Self::WIDTH {
-                rows[axis].gradient[k] *= inverse_spacing[axis];
+                rows[axis].gradient[k] *= inverse_spacing.as_array()[axis];
             }
         }
         rows

@@ -116,7 +116,7 @@ where
         let mut outcome = Outcome::default();
         for slot in slots {
             let cell = grid.cell_coordinates(state.cells.index[slot]);
-            let frame = Frame::new(simd, &shape, &grid, cell);
+            let frame = Frame::new(simd, &shape, state.grid, cell);
             let cell_divergence = if pass.state {
                 CellDivergence::around(state, slot, cell)
             } else {

@@ -237,11 +237,11 @@ where
         target: &mut Target<'_, T>,
     ) {
         let view = self.view;
-        let (shape, grid) = (view.method.shape(), *view.grid);
+        let shape = view.method.shape();
         let of_cell = view.cells.points(slot);
         let (first, p) = (of_cell.start, view.particles.part(of_cell));
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
-        let frame = Frame::new(simd, &shape, &grid, cell);
+        let frame = Frame::new(simd, &shape, view.grid, cell);
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
         let separate = SAMPLES && !fuses_impulse::<T, D, M>();
