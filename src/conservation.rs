@@ -97,15 +97,14 @@ where
                 })
                 .sum()
         });
-        let column = |axis| {
-            <M::Transfer as Transfer<T, D>>::affine_column(&p.affine[k], axis).map(Scalar::as_f64)
+        let entry = |row, axis| {
+            <M::Transfer as Transfer<T, D>>::affine_entry(&p.affine[k], row, axis).as_f64()
         };
-        let c: [[f64; D]; D] = std::array::from_fn(column);
         let mass = p.mass[k].as_f64();
         for axis in 0..3 {
             let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
             if a < D && b < D {
-                let spin = second_moment[a] * c[a][b] - second_moment[b] * c[b][a];
+                let spin = second_moment[a] * entry(b, a) - second_moment[b] * entry(a, b);
                 totals.angular_momentum[axis] += mass * spin;
             }
         }

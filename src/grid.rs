@@ -1,6 +1,7 @@
 //! The background grid: a box of equal cells, row-major with the last axis contiguous.
 
 use crate::error::InvalidInput;
+use crate::math::widen;
 use crate::scene::{Boundary, GridSpec, Relaxation};
 use crate::{Scalar, shape::AxisPosition};
 
@@ -19,6 +20,9 @@ pub struct Grid<T, const D: usize> {
     pub extra: usize,
     /// Axes whose two faces are joined.
     pub periodic: [bool; D],
+    /// Lower corner and 1 / spacing once more, padded with zeros: where a vector is loaded from the fields
+    /// above, its spare lanes hold what comes next in memory, and arithmetic on that may be very slow.
+    padded: [[T; 4]; 2],
 }
 
 impl<T: Scalar, const D: usize> Grid<T, D> {
@@ -44,10 +48,13 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
                 "fewer than 2³² nodes",
             ));
         }
+        let origin = spec.origin.map(T::lit);
+        let inverse_spacing = spec.spacing.map(|h| T::lit(1.0 / h));
         Ok(Self {
-            origin: spec.origin.map(T::lit),
+            origin,
             spacing: spec.spacing.map(T::lit),
-            inverse_spacing: spec.spacing.map(|h| T::lit(1.0 / h)),
+            inverse_spacing,
+            padded: [widen(origin), widen(inverse_spacing)],
             n_cells: spec.cells,
             extra,
             periodic: boundaries.map(|faces| faces[0] == Boundary::Periodic),
@@ -78,6 +85,12 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
     #[inline(always)]
     pub fn in_cells(&self, position: [T; D], axis: usize) -> T {
         (position[axis] - self.origin[axis]) * self.inverse_spacing[axis]
+    }
+
+    /// Lower corner, m, and 1 / spacing, 1/m, padded with zeros.
+    #[inline(always)]
+    pub(crate) fn padded(&self) -> &[[T; 4]; 2] {
+        &self.padded
     }
 
     /// Cell that holds a position, or `None` outside the box (or not a number).

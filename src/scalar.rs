@@ -1,6 +1,6 @@
 //! The floating-point type of a simulation.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 use fearless_simd::{Simd, SimdFloat, SimdFloatElement, f32x4, f64x4};
 use nalgebra::RealField;
@@ -21,6 +21,7 @@ pub trait Scalar: SimdFloatElement + RealField + FromPrimitive + ToPrimitive + C
     /// depend on the instruction set.
     type Four<S: Simd>: SimdFloat<S, Element = Self, Array = [Self; 4]>
         + Add<Output = Self::Four<S>>
+        + Sub<Output = Self::Four<S>>
         + Mul<Output = Self::Four<S>>;
 
     /// Converts a literal, rounding to the nearest value of this type.

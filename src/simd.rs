@@ -1,7 +1,8 @@
 //! Run-time choice of the instruction set for the hot kernels.
 //!
-//! Kernels take a token of the instruction set as an argument and are compiled once for the baseline
-//! and once for AVX2. No fused multiply-add is used: every level rounds the same way.
+//! Kernels take a token of the instruction set as an argument and are compiled for the baseline, for AVX2
+//! and for AVX-512, whose 32 registers hold the nodes of a cell in 2D; vectors have four numbers on all of
+//! them. No fused multiply-add is used: every level rounds the same way.
 
 pub use fearless_simd::prelude::*;
 pub use fearless_simd::{Level, Simd};
@@ -30,7 +31,12 @@ macro_rules! vectorized {
         #[cfg(target_arch = "x86_64")]
         {
             use $crate::simd::Simd as _;
-            if let Some($simd) = level.as_avx2() {
+            if let Some($simd) = level.as_avx512() {
+                $simd.vectorize(
+                    #[inline(always)]
+                    || $operation,
+                )
+            } else if let Some($simd) = level.as_avx2() {
                 $simd.vectorize(
                     #[inline(always)]
                     || $operation,
@@ -63,8 +69,18 @@ pub fn splat<T: Scalar, S: Simd>(simd: S, value: T) -> T::Four<S> {
     T::Four::<S>::splat(simd, value)
 }
 
-/// `row += sum`.
+/// One number per axis; the rest are zero.
+///
+/// Vectors are made from functions of the axis: an array of a few numbers that a function takes or returns by
+/// value goes through integer registers, even where the function is inlined.
 #[inline(always)]
-pub fn add_to<T: Scalar, S: Simd>(simd: S, row: &mut [T; 4], sum: T::Four<S>) {
-    (load(simd, row) + sum).store_array(row);
+pub fn lanes<T: Scalar, S: Simd, const D: usize>(
+    simd: S,
+    value: impl Fn(usize) -> T,
+) -> T::Four<S> {
+    let mut row = [T::zero(); 4];
+    for axis in 0..D {
+        row[axis] = value(axis);
+    }
+    load(simd, &row)
 }

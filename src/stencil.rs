@@ -2,7 +2,8 @@
 
 use crate::Scalar;
 use crate::grid::Grid;
-use crate::shape::{MAX_WIDTH, Row, ShapeFunction};
+use crate::shape::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
+use crate::simd::{Simd, SimdBase as _, lanes, load, splat};
 
 /// Rows of shape functions of one point, with derivatives per metre.
 pub type Rows<T, const D: usize> = [Row<T>; D];
@@ -15,8 +16,7 @@ pub fn rows_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     cell: [usize; D],
     position: [T; D],
 ) -> Rows<T, D> {
-    let zero = [T::zero(); MAX_WIDTH];
-    let mut rows = [Row { first: 0, weight: zero, gradient: zero }; D];
+    let mut rows = [Row::zero(); D];
     for axis in 0..D {
         rows[axis] = shape.row(grid.axis_position(position, cell, axis));
         for k in 0..S::WIDTH {
@@ -39,22 +39,96 @@ pub fn rows_at_center<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     rows_at(shape, grid, cell, center)
 }
 
-/// Coordinates of the nodes of a cell's stencil along each axis, m.
-#[inline(always)]
-pub fn node_positions<T: Scalar, const D: usize, S: ShapeFunction<T>>(
-    shape: &S,
-    grid: &Grid<T, D>,
+/// What the points of a cell share. Vectors hold one number per axis.
+#[derive(Clone, Copy)]
+pub struct Frame<T: Scalar, S: Simd, const D: usize> {
+    simd: S,
+    grid: Grid<T, D>,
     cell: [usize; D],
-) -> [[T; MAX_WIDTH]; D] {
-    std::array::from_fn(|axis| {
-        let mut at = [T::zero(); MAX_WIDTH];
-        for k in 0..S::REACH {
-            let node = cell[axis] + k;
-            let coordinate = shape.node_coordinate(node, grid.n_cells[axis], grid.periodic[axis]);
-            at[k] = grid.origin[axis] + grid.spacing[axis] * coordinate;
+    /// Lower corner of the grid, m, and 1 / spacing, 1/m.
+    origin: T::Four<S>,
+    inverse_spacing: T::Four<S>,
+    /// Nodes of the stencil along each axis, m.
+    nodes: [T::Four<S>; MAX_WIDTH],
+}
+
+impl<T: Scalar, S: Simd, const D: usize> Frame<T, S, D> {
+    /// The frame of a cell. The grid should be the one that the phase was given, not a copy: a copy of
+    /// the padding in the spare lanes may be left out, and they then hold whatever lies on the stack.
+    #[inline(always)]
+    pub fn new<H: ShapeFunction<T>>(
+        simd: S,
+        shape: &H,
+        grid: &Grid<T, D>,
+        cell: [usize; D],
+    ) -> Self {
+        let mut nodes = [splat(simd, T::zero()); MAX_WIDTH];
+        for k in 0..H::REACH {
+            nodes[k] = lanes::<T, S, D>(simd, |axis| {
+                let (n, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
+                let coordinate = shape.node_coordinate(cell[axis] + k, n, periodic);
+                grid.origin[axis] + grid.spacing[axis] * coordinate
+            });
         }
-        at
-    })
+        let [origin, inverse_spacing] = grid.padded();
+        let (origin, inverse_spacing) = (load(simd, origin), load(simd, inverse_spacing));
+        Self { simd, grid: *grid, cell, origin, inverse_spacing, nodes }
+    }
+
+    /// Where a position lies in the cell along each axis, in cells.
+    #[inline(always)]
+    pub fn xi(&self, position: &[T; D]) -> T::Four<S> {
+        let corner = lanes::<T, S, D>(self.simd, |axis| T::from_index(self.cell[axis]));
+        let position = lanes::<T, S, D>(self.simd, |axis| position[axis]);
+        (position - self.origin) * self.inverse_spacing - corner
+    }
+
+    /// The shape functions at a position.
+    #[inline(always)]
+    pub fn rows<H: ShapeFunction<T>>(&self, shape: &H, position: &[T; D]) -> Rows<T, D> {
+        let Self { simd, grid, cell, .. } = self;
+        let xi = self.xi(position);
+        let mut at = [AxisPosition { cell: 0, xi: T::zero(), n_cells: 0, periodic: false }; D];
+        for axis in 0..D {
+            let (n_cells, periodic) = (grid.n_cells[axis], grid.periodic[axis]);
+            at[axis] =
+                AxisPosition { cell: cell[axis], xi: xi.as_array()[axis], n_cells, periodic };
+        }
+        shape.rows(*simd, &at, self.inverse_spacing)
+    }
+
+    /// Moments of the functions about the position at which they were taken.
+    #[inline(always)]
+    pub fn moments<H: ShapeFunction<T>>(
+        &self,
+        rows: &Rows<T, D>,
+        position: &[T; D],
+    ) -> Moments<T, S, D> {
+        let simd = self.simd;
+        let position = lanes::<T, S, D>(simd, |axis| position[axis]);
+        let mut first = [[T::zero(); MAX_WIDTH]; D];
+        let mut second = splat(simd, T::zero());
+        for k in 0..H::WIDTH {
+            let node =
+                lanes::<T, S, D>(simd, |axis| self.nodes[rows[axis].first + k].as_array()[axis]);
+            let offset = node - position;
+            let moment = lanes::<T, S, D>(simd, |axis| rows[axis].weight[k]) * offset;
+            second += moment * offset;
+            for axis in 0..D {
+                first[axis][k] = moment.as_array()[axis];
+            }
+        }
+        Moments { first, second }
+    }
+}
+
+/// Moments of each axis' functions about a point.
+#[derive(Clone, Copy)]
+pub struct Moments<T: Scalar, S: Simd, const D: usize> {
+    /// N (x_i − x_p), m.
+    pub first: [[T; MAX_WIDTH]; D],
+    /// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
+    pub second: T::Four<S>,
 }
 
 /// One stencil row: fixed indices along all axes but the last.
@@ -110,21 +184,4 @@ pub fn for_each_outer_row<T: Scalar, const D: usize, S: ShapeFunction<T>>(
             }
         }
     }
-}
-
-/// First moments N (x_i − x_p) of each axis' functions about a point, m.
-#[inline(always)]
-pub fn moments_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
-    rows: &Rows<T, D>,
-    node_at: &[[T; MAX_WIDTH]; D],
-    position: [T; D],
-) -> [[T; MAX_WIDTH]; D] {
-    let mut moments = [[T::zero(); MAX_WIDTH]; D];
-    for axis in 0..D {
-        for k in 0..S::WIDTH {
-            let offset = node_at[axis][rows[axis].first + k] - position[axis];
-            moments[axis][k] = rows[axis].weight[k] * offset;
-        }
-    }
-    moments
 }

@@ -1,7 +1,10 @@
 //! Quadratic and cubic B-splines with knots on the cell faces, open (repeated) at walls.
 
 use super::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
+use std::ops::{Add, Mul, Neg, Sub};
+
 use crate::Scalar;
+use crate::simd::{Simd, SimdBase as _, lanes, splat};
 
 /// Quadratic B-splines, \[Steffen2008\]: `n + 2` functions on `n` cells.
 ///
@@ -25,26 +28,40 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
     const WIDTH: usize = 3;
     const REACH: usize = 3;
 
-    /// Cox-de Boor recursion written out; a wall only changes the knot spans, 2 to 1 cells.
     #[inline(always)]
     fn row(&self, at: AxisPosition<T>) -> Row<T> {
-        let (zero, one, half, two) = (T::zero(), T::one(), T::lit(0.5), T::lit(2.0));
-        let at_lower_wall = !at.periodic && at.cell == 0;
-        let at_upper_wall = !at.periodic && at.cell + 1 == at.n_cells;
-        let (before, per_lower_span) = if at_lower_wall { (zero, one) } else { (one, half) };
-        let (after, per_upper_span) = if at_upper_wall { (one, one) } else { (two, half) };
+        let zero = T::zero();
+        let (lower, upper) = (lower_span(&at), upper_span(&at));
+        let ([a, b, c], [da, db, dc]) = quadratic(at.xi, lower, upper, T::one());
+        Row { first: 0, weight: [a, b, c, zero], gradient: [da, db, dc, zero] }
+    }
 
-        let (left, right) = (per_lower_span * (one - at.xi), per_upper_span * at.xi);
-        Row {
-            first: 0,
-            weight: [
-                left * (one - at.xi),
-                left * (at.xi + before) + right * (after - at.xi),
-                right * at.xi,
-                zero,
-            ],
-            gradient: [-two * left, two * (left - right), two * right, zero],
+    #[inline(always)]
+    fn rows<S: Simd, const D: usize>(
+        &self,
+        simd: S,
+        at: &[AxisPosition<T>; D],
+        inverse_spacing: T::Four<S>,
+    ) -> [Row<T>; D] {
+        let lower = (
+            lanes::<T, S, D>(simd, |axis| lower_span(&at[axis]).0),
+            lanes::<T, S, D>(simd, |axis| lower_span(&at[axis]).1),
+        );
+        let upper = (
+            lanes::<T, S, D>(simd, |axis| upper_span(&at[axis]).0),
+            lanes::<T, S, D>(simd, |axis| upper_span(&at[axis]).1),
+        );
+        let xi = lanes::<T, S, D>(simd, |axis| at[axis].xi);
+        let (weight, gradient) = quadratic(xi, lower, upper, splat(simd, T::one()));
+        let mut rows = [Row::zero(); D];
+        for k in 0..3 {
+            let gradient = gradient[k] * inverse_spacing;
+            for axis in 0..D {
+                rows[axis].weight[k] = weight[k].as_array()[axis];
+                rows[axis].gradient[k] = gradient.as_array()[axis];
+            }
         }
+        rows
     }
 
     #[inline(always)]
@@ -55,6 +72,40 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
         let knots = clamped_knot(index, 1, n_cells) + clamped_knot(index, 0, n_cells);
         T::from_index(knots) / T::lit(2.0)
     }
+}
+
+/// Cells from the lowest knot of the middle function to the cell, and 1 / cells to the cell's upper face.
+///
+/// A wall shortens the span from 2 cells to 1. Without short circuits this is a choice of factors, made
+/// once per cell.
+#[inline(always)]
+fn lower_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
+    let at_wall = !at.periodic & (at.cell == 0);
+    if at_wall { (T::zero(), T::one()) } else { (T::one(), T::lit(0.5)) }
+}
+
+/// Cells from the cell's lower face to the highest knot of the middle function, and their inverse.
+#[inline(always)]
+fn upper_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
+    let at_wall = !at.periodic & (at.cell + 1 == at.n_cells);
+    if at_wall { (T::one(), T::one()) } else { (T::lit(2.0), T::lit(0.5)) }
+}
+
+/// Values and derivatives of the three functions: Cox-de Boor recursion written out.
+#[inline(always)]
+fn quadratic<V>(
+    xi: V,
+    (before, per_lower_span): (V, V),
+    (after, per_upper_span): (V, V),
+    one: V,
+) -> ([V; 3], [V; 3])
+where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V> + Neg<Output = V>,
+{
+    let two = one + one;
+    let (left, right) = (per_lower_span * (one - xi), per_upper_span * xi);
+    let value = [left * (one - xi), left * (xi + before) + right * (after - xi), right * xi];
+    (value, [-two * left, two * (left - right), two * right])
 }
 
 /// Cubic B-splines, \[Steffen2008\]: `n + 3` functions on `n` cells.

@@ -9,6 +9,7 @@ pub use gimp::Gimp;
 pub use linear::Linear;
 
 use crate::Scalar;
+use crate::simd::{Simd, SimdBase as _};
 
 /// Most functions of one axis that are non-zero at a point (cubic B-spline).
 pub const MAX_WIDTH: usize = 4;
@@ -43,6 +44,14 @@ pub struct Row<T> {
     pub gradient: [T; MAX_WIDTH],
 }
 
+impl<T: Scalar> Row<T> {
+    /// No function.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { first: 0, weight: [T::zero(); MAX_WIDTH], gradient: [T::zero(); MAX_WIDTH] }
+    }
+}
+
 /// A family of grid shape functions, evaluated one axis at a time.
 ///
 /// Every family keeps partition of unity, Σ N = 1, and linear reproduction, `Σ N_i x_i = x`, in
@@ -62,6 +71,26 @@ pub trait ShapeFunction<T: Scalar>: Copy + Send + Sync {
 
     /// Values and derivatives of the functions at a point.
     fn row(&self, at: AxisPosition<T>) -> Row<T>;
+
+    /// The functions of all axes at a point, derivatives per metre.
+    ///
+    /// Families whose formula holds on every axis may work on all axes at once; the bits are the same.
+    #[inline(always)]
+    fn rows<S: Simd, const D: usize>(
+        &self,
+        _simd: S,
+        at: &[AxisPosition<T>; D],
+        inverse_spacing: T::Four<S>,
+    ) -> [Row<T>; D] {
+        let mut rows = [Row::zero(); D];
+        for axis in 0..D {
+            rows[axis] = self.row(at[axis]);
+            for k in 0..Self::WIDTH {
+                rows[axis].gradient[k] *= inverse_spacing.as_array()[axis];
+            }
+        }
+        rows
+    }
 
     /// Coordinate of stored node `index` in cells from the axis' lower end (Greville abscissa).
     fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T;

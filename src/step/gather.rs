@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use super::stencil_nodes::StencilNodes;
 use crate::Scalar;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
 use crate::simd::{Simd, SimdBase as _, load, splat};
@@ -49,8 +50,8 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Site<'_, T, D, H> {
         &self,
         simd: S,
         want: Want,
-        velocity: &[[T; 4]],
-        increment: &[[T; 4]],
+        velocity: &StencilNodes<T, S>,
+        increment: &StencilNodes<T, S>,
     ) -> Gathered<T, D> {
         let lines = Lines { site: self, velocity, increment };
         let rows = self.rows;
@@ -176,37 +177,37 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Site<'_, T, D, H> {
     }
 }
 
-/// The last axis: stencil rows of nodes with consecutive slots.
-struct Lines<'a, T, const D: usize, H> {
+/// The last axis: stencil rows of nodes.
+struct Lines<'a, T: Scalar, S: Simd, const D: usize, H> {
     site: &'a Site<'a, T, D, H>,
-    velocity: &'a [[T; 4]],
-    increment: &'a [[T; 4]],
+    velocity: &'a StencilNodes<T, S>,
+    increment: &'a StencilNodes<T, S>,
 }
 
-impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Lines<'_, T, D, H> {
+impl<T: Scalar, S: Simd, const D: usize, H: ShapeFunction<T>> Lines<'_, T, S, D, H> {
     #[inline(always)]
-    fn sum<S: Simd>(&self, simd: S, want: Want, row: usize) -> Sums<T, T::Four<S>, D> {
+    fn sum(&self, simd: S, want: Want, row: usize) -> Sums<T, T::Four<S>, D> {
         let last = &self.site.rows[D - 1];
-        let start = self.site.starts[row] as usize + last.first;
-        let nodes = &self.velocity[start..start + H::WIDTH];
+        let first = last.first;
+        let nodes = &self.velocity.0[row];
         let zero = splat(simd, T::zero());
         let mut moment = [zero; D];
-        let mut velocity = load(simd, &nodes[0]) * self.weight(simd, 0);
+        let mut velocity = nodes[first] * self.weight(simd, 0);
         for k in 1..H::WIDTH {
-            velocity += load(simd, &nodes[k]) * self.weight(simd, k);
+            velocity += nodes[first + k] * self.weight(simd, k);
         }
         if want.moments {
-            moment[D - 1] = load(simd, &nodes[0]) * self.moment(simd, 0);
+            moment[D - 1] = nodes[first] * self.moment(simd, 0);
             for k in 1..H::WIDTH {
-                moment[D - 1] += load(simd, &nodes[k]) * self.moment(simd, k);
+                moment[D - 1] += nodes[first + k] * self.moment(simd, k);
             }
         }
         let mut increment = zero;
         if want.increment {
-            let nodes = &self.increment[start..start + H::WIDTH];
-            increment = load(simd, &nodes[0]) * splat(simd, last.weight[0]);
+            let nodes = &self.increment.0[row];
+            increment = nodes[first] * splat(simd, last.weight[0]);
             for k in 1..H::WIDTH {
-                increment += load(simd, &nodes[k]) * splat(simd, last.weight[k]);
+                increment += nodes[first + k] * splat(simd, last.weight[k]);
             }
         }
         Sums { velocity, increment, moment, slope: T::zero() }
@@ -214,13 +215,13 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Lines<'_, T, D, H> {
 
     /// First moment of function `k` of the last axis.
     #[inline(always)]
-    fn moment<S: Simd>(&self, simd: S, k: usize) -> T::Four<S> {
+    fn moment(&self, simd: S, k: usize) -> T::Four<S> {
         splat(simd, self.site.moments[D - 1][k])
     }
 
     /// (N, N, N, N′) of function `k` of the last axis.
     #[inline(always)]
-    fn weight<S: Simd>(&self, simd: S, k: usize) -> T::Four<S> {
+    fn weight(&self, simd: S, k: usize) -> T::Four<S> {
         let last = &self.site.rows[D - 1];
         let (n, slope) = (last.weight[k], last.gradient[k]);
         load(simd, &[n, n, n, slope])
@@ -228,7 +229,7 @@ impl<T: Scalar, const D: usize, H: ShapeFunction<T>> Lines<'_, T, D, H> {
 
     /// The last two axes of three, from stencil row `first` on.
     #[inline(always)]
-    fn plane<S: Simd>(&self, simd: S, want: Want, first: usize) -> Sums<T, T::Four<S>, D> {
+    fn plane(&self, simd: S, want: Want, first: usize) -> Sums<T, T::Four<S>, D> {
         let line = self.sum(simd, want, first);
         let mut plane = self.site.scaled(simd, want, &line, 1, 0);
         for j in 1..H::WIDTH {

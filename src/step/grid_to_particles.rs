@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 use super::cell_divergence::CellDivergence;
 use super::gather::{Gathered, Site, Want};
 use super::settle::{Failure, Outcome, check, is_quiet, settle};
+use super::stencil_nodes::StencilNodes;
 use super::{AffineOf, CELL_GRAIN, Physics, StateOf};
 use crate::Scalar;
 use crate::cells::{ABSENT, Cells};
@@ -14,9 +15,9 @@ use crate::math::{dot, narrow};
 use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
-use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, vectorized};
-use crate::stencil::{Rows, moments_at, node_positions, rows_at};
+use crate::shape::ShapeFunction;
+use crate::simd::{Simd, SimdBase as _, vectorized};
+use crate::stencil::Frame;
 use crate::transfer::Transfer;
 
 /// Where the state update takes its velocities from.
@@ -107,59 +108,71 @@ where
         let Self { state, pass, dt, begin } = *self;
         let (shape, grid) = (state.method.shape(), *state.grid);
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
+        let want =
+            Want { moments: affine, increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT };
         let share = state.method.transfer().flip_share(dt);
         let floor = state.physics.minimum_density;
         let n_rows = M::Shape::REACH.pow(D as u32 - 1);
         let mut outcome = Outcome::default();
         for slot in slots {
             let cell = grid.cell_coordinates(state.cells.index[slot]);
-            let mut moments = [[T::zero(); MAX_WIDTH]; D];
-            let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
+            let frame = Frame::new(simd, &shape, state.grid, cell);
             let cell_divergence = if pass.state {
                 CellDivergence::around(state, slot, cell)
             } else {
                 CellDivergence::AtPoint
             };
-            let starts = &state.rows[slot * n_rows..(slot + 1) * n_rows];
+            let starts = &state.rows[slot * n_rows..][..n_rows];
+            let velocity = StencilNodes::load::<M::Shape, D>(simd, state.velocity, starts, 0);
+            let mut increment = StencilNodes::zero(simd);
+            if want.increment {
+                increment = StencilNodes::load::<M::Shape, D>(simd, state.increment, starts, 0);
+            }
             let of_cell = state.cells.points(slot);
             let first = of_cell.start;
             let mut points = points.part(first - begin..of_cell.end - begin);
             for p in 0..of_cell.len() {
                 let position = points.position[p];
-                let rows = rows_at(&shape, &grid, cell, position);
-                if affine {
-                    moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
-                }
+                let rows = frame.rows(&shape, &position);
+                let moments = frame.moments::<M::Shape>(&rows, &position);
                 let site = Site::<T, D, M::Shape> {
                     rows: &rows,
-                    moments: &moments,
+                    moments: &moments.first,
                     starts,
                     shape: PhantomData,
                 };
-                let found = self.gather(simd, &site);
-                let motion = narrow(found.velocity);
+                let found = site.gather(simd, want, &velocity, &increment);
                 let old = points.velocity[p];
+                let (mut velocity, mut moved) = (old, position);
                 if pass.velocity {
-                    points.velocity[p] =
-                        blend::<T, D, M::Transfer>(share, old, found.increment, motion);
+                    for axis in 0..D {
+                        velocity[axis] = found.velocity[axis];
+                        if want.increment {
+                            let (kept, rest) =
+                                (old[axis] + found.increment[axis], T::one() - share);
+                            velocity[axis] = share * kept + rest * velocity[axis];
+                        }
+                    }
+                    points.velocity[p] = velocity;
                     if affine {
-                        let second =
-                            second_moments::<T, D, M::Shape>(&rows, &moments, &node_at, position);
-                        points.affine[p] = M::Transfer::affine_from(found.moment, second);
+                        let second = moments.second.as_array();
+                        points.affine[p] = M::Transfer::affine_from(&found.moment, second);
                     }
                 }
+                let mut density = points.density[p];
                 if pass.state {
                     let found = (&found, old, &cell_divergence, cell);
-                    self.strain(simd, p, &mut points, &site, found);
+                    density = self.strain(simd, p, &mut points, &site, found);
                 }
                 if pass.motion {
                     for axis in 0..D {
-                        points.position[p][axis] += dt * motion[axis];
+                        moved[axis] += dt * found.velocity[axis];
                     }
+                    points.position[p] = moved;
                 }
-                let (velocity, density) = (points.velocity[p], points.density[p]);
-                if !is_quiet(&grid, cell, points.position[p], velocity, (density, floor)) {
-                    outcome.note(first + p, check(velocity, points.position[p], density));
+                let xi = frame.xi(&moved);
+                if !is_quiet::<T, D>(xi.as_array(), &velocity, (density, floor)) {
+                    outcome.note(first + p, check(&velocity, &moved, density));
                     if density > T::zero() && density < floor {
                         points.density[p] = floor;
                         outcome.n_raised += 1;
@@ -177,18 +190,7 @@ where
         outcome
     }
 
-    /// What the transfer needs from the nodes.
-    #[inline(always)]
-    fn gather<S: Simd>(&self, simd: S, site: &Site<'_, T, D, M::Shape>) -> Gathered<T, D> {
-        let (velocity, increment) = (self.state.velocity, self.state.increment);
-        let want = Want {
-            moments: <M::Transfer as Transfer<T, D>>::AFFINE,
-            increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT,
-        };
-        site.gather(simd, want, velocity, increment)
-    }
-
-    /// Updates density and stress of point `p` of the view.
+    /// Updates density and stress of point `p` of the view; returns the density.
     #[inline(always)]
     fn strain<S: Simd>(
         &self,
@@ -197,20 +199,23 @@ where
         points: &mut ParticlesMut<'_, T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
         site: &Site<'_, T, D, M::Shape>,
         (found, old, cell_divergence, cell): Found<'_, T, D>,
-    ) {
+    ) -> T {
         let source = &self.state.source;
         let divergence = match cell_divergence {
             CellDivergence::AtPoint if source.is_end_velocity => found.divergence,
             CellDivergence::AtPoint => {
                 let want = Want { moments: false, increment: false };
-                site.gather(simd, want, source.velocity, &[]).divergence
+                let velocity =
+                    StencilNodes::load::<M::Shape, D>(simd, source.velocity, site.starts, 0);
+                site.gather(simd, want, &velocity, &StencilNodes::zero(simd)).divergence
             }
             CellDivergence::Around(..) => {
                 cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
             }
         };
         let before = points.density[p];
-        points.density[p] /= T::one() + self.dt * divergence;
+        let density = before / (T::one() + self.dt * divergence);
+        points.density[p] = density;
         if K::PRESENT {
             let gradient = site.velocity_gradient(simd, source.velocity);
             let Physics { material, equation_of_state, .. } = &self.state.physics;
@@ -219,10 +224,11 @@ where
                 let change = site.velocity_gradient(simd, self.state.increment);
                 Work { gradient: mean_gradient(gradient, change), heat }
             });
-            let density = [before, points.density[p]];
+            let density = [before, density];
             let strain = Strain { dt: self.dt, density, divergence, gradient, work };
             points.state[p] = material.update(equation_of_state, &points.state[p], &strain);
         }
+        density
     }
 }
 
@@ -256,38 +262,6 @@ fn mean_gradient<T: Scalar, const D: usize>(
         }
     }
     end
-}
-
-/// Diagonal of Σ N (x − x_p)(x − x_p)ᵀ, m².
-#[inline(always)]
-fn second_moments<T: Scalar, const D: usize, H: ShapeFunction<T>>(
-    rows: &Rows<T, D>,
-    moments: &[[T; MAX_WIDTH]; D],
-    node_at: &[[T; MAX_WIDTH]; D],
-    position: [T; D],
-) -> [T; D] {
-    let mut second = [T::zero(); D];
-    for axis in 0..D {
-        for k in 0..H::WIDTH {
-            let offset = node_at[axis][rows[axis].first + k] - position[axis];
-            second[axis] += moments[axis][k] * offset;
-        }
-    }
-    second
-}
-
-#[inline(always)]
-fn blend<T: Scalar, const D: usize, X: Transfer<T, D>>(
-    share: T,
-    old: [T; D],
-    increment: [T; 4],
-    grid: [T; D],
-) -> [T; D] {
-    if !X::USES_INCREMENT {
-        return grid;
-    }
-    let rest = T::one() - share;
-    std::array::from_fn(|axis| share * (old[axis] + increment[axis]) + rest * grid[axis])
 }
 
 #[inline(always)]

@@ -9,6 +9,7 @@ mod node_velocity;
 mod particles_to_grid;
 mod settle;
 mod spread;
+mod stencil_nodes;
 mod stretch;
 mod update_grid;
 

@@ -1,19 +1,19 @@
 //! Points and cells → nodes: momentum, mass and force.
 
 use super::spread::{Site, Spread};
+use super::stencil_nodes::StencilNodes;
 use super::{CellSamples, StateOf, View};
 use crate::Scalar;
 use crate::formulation::Formulation;
 use crate::material::Material;
-use crate::math::widen;
 use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::parallel::fold_blocks;
 use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, load, splat, vectorized};
-use crate::stencil::{moments_at, node_positions, rows_at};
+use crate::simd::{Simd, lanes, load, splat, vectorized};
+use crate::stencil::Frame;
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
 
@@ -104,7 +104,7 @@ impl<'a, T> Target<'a, T> {
     #[inline(always)]
     fn starts<const D: usize>(&self, reach: usize, slot: usize) -> &'a [u32] {
         let n_rows = reach.pow(D as u32 - 1);
-        &self.rows[slot * n_rows..(slot + 1) * n_rows]
+        &self.rows[slot * n_rows..][..n_rows]
     }
 }
 
@@ -159,14 +159,20 @@ where
             || view.cells.near_surface[slot];
         if at_center {
             if transfers {
-                self.scatter_points(simd, None, cell, slot, target);
+                let none = (PointVolumes::Scaled(T::zero()), false);
+                self.scatter_points::<S, false>(simd, none, cell, slot, target);
             }
             return u64::from(all);
         }
+        if !all {
+            let none = (PointVolumes::Scaled(T::zero()), false);
+            self.scatter_points::<S, false>(simd, none, cell, slot, target);
+            return 0;
+        }
         let cloud = view.cloud();
-        let volumes = all.then(|| view.method.quadrature().point_volumes(&cloud, slot));
-        self.scatter_points(simd, volumes.map(|v| (v, !by_cell)), cell, slot, target);
-        if all { view.cells.points(slot).len() as u64 } else { 0 }
+        let volumes = view.method.quadrature().point_volumes(&cloud, slot);
+        self.scatter_points::<S, true>(simd, (volumes, !by_cell), cell, slot, target);
+        view.cells.points(slot).len() as u64
     }
 
     /// One Gauss point: mass and stress at the centre of a cell, or only the cell's pressure.
@@ -192,12 +198,13 @@ where
             spread.flux[axis] = load(simd, &flux[axis]);
         }
         let none = [[T::zero(); MAX_WIDTH]; D];
-        let site =
-            Site { rows: &rows, moments: &none, starts: target.starts::<D>(M::Shape::REACH, slot) };
-        let begin = target.node_begin;
-        let sums =
+        let site = Site { rows: &rows, moments: &none };
+        let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
+        let nodes =
             if fuses_impulse::<T, D, M>() { &mut *target.transfer } else { &mut *target.force };
-        site.add::<S, M::Shape>(simd, (false, true), begin, &spread, sums);
+        let mut sums = StencilNodes::load::<M::Shape, D>(simd, nodes, starts, begin);
+        site.add::<S, M::Shape>(simd, (false, true), &spread, &mut sums);
+        sums.store::<M::Shape, D>(nodes, starts, begin);
     }
 
     /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
@@ -221,26 +228,31 @@ where
 
     /// The points of a cell: transfer momentum and, given their volumes, mass and force as samples.
     #[inline(always)]
-    fn scatter_points<S: Simd>(
+    fn scatter_points<S: Simd, const SAMPLES: bool>(
         &self,
         simd: S,
-        volumes: Option<(PointVolumes<'_, T, D>, bool)>,
+        (volumes, with_pressure): (PointVolumes<'_, T, D>, bool),
         cell: [usize; D],
         slot: usize,
         target: &mut Target<'_, T>,
     ) {
         let view = self.view;
-        let (shape, grid) = (view.method.shape(), *view.grid);
+        let shape = view.method.shape();
         let of_cell = view.cells.points(slot);
         let (first, p) = (of_cell.start, view.particles.part(of_cell));
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
-        let mut moments = [[T::zero(); MAX_WIDTH]; D];
-        let node_at = if affine { node_positions(&shape, &grid, cell) } else { moments };
+        let frame = Frame::new(simd, &shape, view.grid, cell);
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
+        let separate = SAMPLES && !fuses_impulse::<T, D, M>();
+        let mut transfer = StencilNodes::load::<M::Shape, D>(simd, target.transfer, starts, begin);
+        let mut force = StencilNodes::zero(simd);
+        if separate {
+            force = StencilNodes::load::<M::Shape, D>(simd, target.force, starts, begin);
+        }
         for point in 0..p.position.len() {
             let position = p.position[point];
-            let rows = rows_at(&shape, &grid, cell, position);
+            let rows = frame.rows(&shape, &position);
             let (mass, density) = (p.mass[point], p.density[point]);
             let mut momentum = [T::zero(); 4];
             for axis in 0..D {
@@ -249,32 +261,37 @@ where
             momentum[3] = mass;
             let mut spread =
                 Spread { value: load(simd, &momentum), affine: [zero; D], flux: [zero; D] };
+            let moments = frame.moments::<M::Shape>(&rows, &position).first;
             if affine {
-                moments = moments_at::<T, D, M::Shape>(&rows, &node_at, position);
                 for axis in 0..D {
-                    let column = M::Transfer::affine_column(&p.affine[point], axis);
-                    spread.affine[axis] = load(simd, &widen(column.map(|c| mass * c)));
+                    spread.affine[axis] = lanes::<T, S, D>(simd, |row| {
+                        mass * M::Transfer::affine_entry(&p.affine[point], row, axis)
+                    });
                 }
             }
-            let site = Site { rows: &rows, moments: &moments, starts };
-            let Some((volumes, with_pressure)) = &volumes else {
-                site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
+            let site = Site { rows: &rows, moments: &moments };
+            if !SAMPLES {
+                site.add::<S, M::Shape>(simd, (affine, false), &spread, &mut transfer);
                 continue;
-            };
+            }
             let (volume, sample_mass) = volumes.of(first + point, mass, density);
             let pressure = view.physics.pressure(density, &p.state[point]);
-            let work = if *with_pressure { volume * pressure } else { T::zero() };
+            let work = if with_pressure { volume * pressure } else { T::zero() };
             let flux = self.flux(work, volume, &p.state[point]);
             for axis in 0..D {
                 spread.flux[axis] = load(simd, &flux[axis]);
             }
             if fuses_impulse::<T, D, M>() {
-                site.add::<S, M::Shape>(simd, (affine, true), begin, &spread, target.transfer);
+                site.add::<S, M::Shape>(simd, (affine, true), &spread, &mut transfer);
             } else {
-                site.add::<S, M::Shape>(simd, (affine, false), begin, &spread, target.transfer);
+                site.add::<S, M::Shape>(simd, (affine, false), &spread, &mut transfer);
                 spread.value = load(simd, &[T::zero(), T::zero(), T::zero(), sample_mass]);
-                site.add::<S, M::Shape>(simd, (false, true), begin, &spread, target.force);
+                site.add::<S, M::Shape>(simd, (false, true), &spread, &mut force);
             }
+        }
+        transfer.store::<M::Shape, D>(target.transfer, starts, begin);
+        if separate {
+            force.store::<M::Shape, D>(target.force, starts, begin);
         }
     }
 }

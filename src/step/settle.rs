@@ -77,21 +77,19 @@ pub(crate) fn settle<T: Scalar, const D: usize>(
     if removed { Some(ABSENT) } else { grid.cell_of(*position) }
 }
 
-/// Whether a point is sound, above the density `floor` and still in its cell, which spares the search.
+/// Whether a point is sound, above the density `floor` and still in its cell, in which it lies at `xi`;
+/// spares the search.
 #[inline(always)]
 pub(super) fn is_quiet<T: Scalar, const D: usize>(
-    grid: &Grid<T, D>,
-    cell: [usize; D],
-    position: [T; D],
-    velocity: [T; D],
+    xi: &[T; 4],
+    velocity: &[T; D],
     (density, floor): (T, T),
 ) -> bool {
     let mut quiet = density > floor;
     // Not a number unless everything is finite.
     let mut zero = T::zero() * density;
     for axis in 0..D {
-        let xi = grid.in_cells(position, axis) - T::from_index(cell[axis]);
-        quiet &= xi >= T::zero() && xi < T::one();
+        quiet &= (xi[axis] >= T::zero()) & (xi[axis] < T::one());
         zero += T::zero() * velocity[axis];
     }
     quiet && zero == T::zero()
@@ -99,8 +97,8 @@ pub(super) fn is_quiet<T: Scalar, const D: usize>(
 
 #[cold]
 pub(super) fn check<T: Scalar, const D: usize>(
-    velocity: [T; D],
-    position: [T; D],
+    velocity: &[T; D],
+    position: &[T; D],
     density: T,
 ) -> Option<Failure> {
     let mut finite = density.is_finite();

@@ -1,8 +1,9 @@
 //! The scatter kernel: one sample onto the nodes of its cell.
 
+use super::stencil_nodes::StencilNodes;
 use crate::Scalar;
-use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, add_to, splat};
+use crate::shape::{MAX_WIDTH, Row, ShapeFunction};
+use crate::simd::{Simd, splat};
 use crate::stencil::Rows;
 
 /// What a sample spreads over its nodes, as node rows:
@@ -14,15 +15,14 @@ pub(super) struct Spread<F, const D: usize> {
     pub flux: [F; D],
 }
 
-/// Where a sample sits: its functions, their first moments, and the first node of each stencil row.
+/// Where a sample sits: its functions and their first moments.
 pub(super) struct Site<'a, T, const D: usize> {
     pub rows: &'a Rows<T, D>,
     pub moments: &'a [[T; MAX_WIDTH]; D],
-    pub starts: &'a [u32],
 }
 
 impl<T: Scalar, const D: usize> Site<'_, T, D> {
-    /// Adds a spread to the node rows of `sums`, which begin at node `begin`.
+    /// Adds a spread to the node rows of a cell.
     ///
     /// `affine` and `flux` say which columns there are. The axes are contracted one by one; a node then
     /// costs two four-wide products.
@@ -31,9 +31,8 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
         &self,
         simd: S,
         (affine, flux): (bool, bool),
-        begin: usize,
         spread: &Spread<T::Four<S>, D>,
-        sums: &mut [[T; 4]],
+        sums: &mut StencilNodes<T, S>,
     ) {
         let inner = D - 1;
         let last = &self.rows[inner];
@@ -47,15 +46,15 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
                 along[k] += spread.flux[inner] * splat(simd, last.gradient[k]);
             }
         }
-        let mut line = Line { site: self, begin, along, sums };
+        let mut line = Line { last, along, sums };
         match D {
-            1 => line.add::<S, H>(simd, 0, spread.value, T::one(), affine || flux),
+            1 => line.add::<H>(simd, 0, spread.value, T::one(), affine || flux),
             2 => {
                 let first = self.rows[0].first;
                 for i in 0..H::WIDTH {
                     let row = self.contract(simd, (affine, flux), spread, 0, i);
                     let weight = self.rows[0].weight[i];
-                    line.add::<S, H>(simd, first + i, row.value, weight, affine || flux);
+                    line.add::<H>(simd, first + i, row.value, weight, affine || flux);
                 }
             }
             _ => {
@@ -66,7 +65,7 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
                         let row = self.contract(simd, (affine, flux), &plane, 1, j);
                         let weight = self.rows[0].weight[i] * self.rows[1].weight[j];
                         let index = first + i * H::REACH + j;
-                        line.add::<S, H>(simd, index, row.value, weight, affine || flux);
+                        line.add::<H>(simd, index, row.value, weight, affine || flux);
                     }
                 }
             }
@@ -106,37 +105,30 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
     }
 }
 
-/// The last axis: a stencil row of nodes with consecutive slots.
-struct Line<'a, T, F, const D: usize> {
-    site: &'a Site<'a, T, D>,
-    begin: usize,
-    along: [F; MAX_WIDTH],
-    sums: &'a mut [[T; 4]],
+/// The last axis: a stencil row of nodes.
+struct Line<'a, T: Scalar, S: Simd> {
+    last: &'a Row<T>,
+    along: [T::Four<S>; MAX_WIDTH],
+    sums: &'a mut StencilNodes<T, S>,
 }
 
-impl<T: Scalar, F, const D: usize> Line<'_, T, F, D> {
+impl<T: Scalar, S: Simd> Line<'_, T, S> {
     #[inline(always)]
-    fn add<S: Simd, H: ShapeFunction<T>>(
+    fn add<H: ShapeFunction<T>>(
         &mut self,
         simd: S,
         row: usize,
-        value: F,
+        value: T::Four<S>,
         weight: T,
         with_along: bool,
-    ) where
-        T: Scalar<Four<S> = F>,
-        F: Copy + std::ops::AddAssign + std::ops::Mul<Output = F>,
-    {
-        let last = &self.site.rows[D - 1];
-        let start = self.site.starts[row] as usize + last.first - self.begin;
-        let nodes = &mut self.sums[start..start + H::WIDTH];
+    ) {
         let outer = splat(simd, weight);
         for k in 0..H::WIDTH {
-            let mut part = value * splat(simd, last.weight[k]);
+            let mut part = value * splat(simd, self.last.weight[k]);
             if with_along {
                 part += self.along[k] * outer;
             }
-            add_to(simd, &mut nodes[k], part);
+            self.sums.0[row][self.last.first + k] += part;
         }
     }
 }

@@ -27,8 +27,8 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Apic {
     }
 
     #[inline(always)]
-    fn affine_column(affine: &Tensor<T, D>, axis: usize) -> [T; D] {
-        std::array::from_fn(|row| affine.0[row][axis])
+    fn affine_entry(affine: &Tensor<T, D>, row: usize, axis: usize) -> T {
+        affine.0[row][axis]
     }
 
     fn affine_of(gradient: [[T; D]; D]) -> Tensor<T, D> {
@@ -36,7 +36,7 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Apic {
     }
 
     #[inline(always)]
-    fn affine_from(columns: [[T; 4]; D], second_moment: [T; D]) -> Tensor<T, D> {
+    fn affine_from(columns: &[[T; 4]; D], second_moment: &[T; 4]) -> Tensor<T, D> {
         let mut affine = Tensor::default();
         for axis in 0..D {
             if second_moment[axis] > T::zero() {

@@ -31,14 +31,14 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Pic {
     }
 
     #[inline(always)]
-    fn affine_column(_affine: &(), _axis: usize) -> [T; D] {
-        [T::zero(); D]
+    fn affine_entry(_affine: &(), _row: usize, _axis: usize) -> T {
+        T::zero()
     }
 
     fn affine_of(_gradient: [[T; D]; D]) {}
 
     #[inline(always)]
-    fn affine_from(_columns: [[T; 4]; D], _second_moment: [T; D]) {}
+    fn affine_from(_columns: &[[T; 4]; D], _second_moment: &[T; 4]) {}
 }
 
 impl<T: Scalar, const D: usize> Transfer<T, D> for Flip {
@@ -55,12 +55,12 @@ impl<T: Scalar, const D: usize> Transfer<T, D> for Flip {
     }
 
     #[inline(always)]
-    fn affine_column(_affine: &(), _axis: usize) -> [T; D] {
-        [T::zero(); D]
+    fn affine_entry(_affine: &(), _row: usize, _axis: usize) -> T {
+        T::zero()
     }
 
     fn affine_of(_gradient: [[T; D]; D]) {}
 
     #[inline(always)]
-    fn affine_from(_columns: [[T; 4]; D], _second_moment: [T; D]) {}
+    fn affine_from(_columns: &[[T; 4]; D], _second_moment: &[T; 4]) {}
 }

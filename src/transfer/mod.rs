@@ -29,13 +29,13 @@ pub trait Transfer<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     /// Share of the FLIP update in a step of `dt` seconds, 0 to 1.
     fn flip_share(&self, dt: T) -> T;
 
-    /// Column `axis` of the affine matrix C: the velocity change per metre along that axis, 1/s.
-    fn affine_column(affine: &Self::Affine, axis: usize) -> [T; D];
+    /// Entry of the affine matrix C: change of velocity component `row` per metre along `axis`, 1/s.
+    fn affine_entry(affine: &Self::Affine, row: usize, axis: usize) -> T;
 
     /// Affine field of a point whose velocity gradient `[i][j] = ∂v_i/∂x_j` (1/s) is known.
     fn affine_of(gradient: [[T; D]; D]) -> Self::Affine;
 
     /// Affine field from `columns[a] = Σ N v (x − x_p)_a` and the diagonal of
-    /// `Σ N (x − x_p)(x − x_p)ᵀ`, m².
-    fn affine_from(columns: [[T; 4]; D], second_moment: [T; D]) -> Self::Affine;
+    /// `Σ N (x − x_p)(x − x_p)ᵀ`, m², in the first entries of a row.
+    fn affine_from(columns: &[[T; 4]; D], second_moment: &[T; 4]) -> Self::Affine;
 }

@@ -92,12 +92,11 @@ impl<const MUTATION: u8> Transfer<f64, 2> for Affine<MUTATION> {
         0.0
     }
 
-    fn affine_column(affine: &Self::Affine, axis: usize) -> [f64; 2] {
-        let column = <Apic as Transfer<f64, 2>>::affine_column(affine, axis);
+    fn affine_entry(affine: &Self::Affine, row: usize, axis: usize) -> f64 {
         match MUTATION {
-            FLIPPED => column.map(|c| -c),
-            TRANSPOSED => affine.0[axis],
-            _ => column,
+            FLIPPED => -affine.0[row][axis],
+            TRANSPOSED => affine.0[axis][row],
+            _ => affine.0[row][axis],
         }
     }
 
@@ -105,9 +104,9 @@ impl<const MUTATION: u8> Transfer<f64, 2> for Affine<MUTATION> {
         Tensor(gradient)
     }
 
-    fn affine_from(columns: [[f64; 4]; 2], second_moment: [f64; 2]) -> Self::Affine {
-        let moment = if MUTATION == UNSCALED { [2e-3; 2] } else { second_moment };
-        <Apic as Transfer<f64, 2>>::affine_from(columns, moment)
+    fn affine_from(columns: &[[f64; 4]; 2], second_moment: &[f64; 4]) -> Self::Affine {
+        let moment = if MUTATION == UNSCALED { [2e-3; 4] } else { *second_moment };
+        <Apic as Transfer<f64, 2>>::affine_from(columns, &moment)
     }
 }
 
@@ -124,13 +123,13 @@ impl Transfer<f64, 2> for Overshoot {
         2.0 * Transfer::<f64, 2>::flip_share(&FLIP, dt)
     }
 
-    fn affine_column(_affine: &(), _axis: usize) -> [f64; 2] {
-        [0.0; 2]
+    fn affine_entry(_affine: &(), _row: usize, _axis: usize) -> f64 {
+        0.0
     }
 
     fn affine_of(_gradient: [[f64; 2]; 2]) {}
 
-    fn affine_from(_columns: [[f64; 4]; 2], _second_moment: [f64; 2]) {}
+    fn affine_from(_columns: &[[f64; 4]; 2], _second_moment: &[f64; 4]) {}
 }
 
 /// Counts every point twice, or takes every cell for full.

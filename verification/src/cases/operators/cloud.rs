@@ -46,15 +46,8 @@ pub(super) fn grid_spec(n: usize) -> GridSpec<2> {
 
 /// The grid with the nodes of a shape function that stores `extra` nodes more than cells.
 pub(super) fn grid(n: usize, extra: usize) -> Grid<f64, 2> {
-    let spec = grid_spec(n);
-    Grid {
-        origin: spec.origin,
-        spacing: spec.spacing,
-        inverse_spacing: [n as f64; 2],
-        n_cells: spec.cells,
-        extra,
-        periodic: [false; 2],
-    }
+    Grid::new(&grid_spec(n), &BOUNDARIES, extra)
+        .expect("the unit square in n by n cells is a valid grid")
 }
 
 /// Traction-free faces: no velocity is prescribed.
