@@ -16,9 +16,7 @@ pub fn dot<T: Scalar, const N: usize>(a: [T; N], b: [T; N]) -> T {
 #[inline(always)]
 pub fn widen<T: Scalar, const D: usize>(vector: [T; D]) -> [T; 4] {
     let mut row = [T::zero(); 4];
-    for axis in 0..D {
-        row[axis] = vector[axis];
-    }
+    row[..D].copy_from_slice(&vector);
     row
 }
 
@@ -26,9 +24,7 @@ pub fn widen<T: Scalar, const D: usize>(vector: [T; D]) -> [T; 4] {
 #[inline(always)]
 pub fn narrow<T: Scalar, const D: usize>(row: [T; 4]) -> [T; D] {
     let mut vector = [T::zero(); D];
-    for axis in 0..D {
-        vector[axis] = row[axis];
-    }
+    vector.copy_from_slice(&row[..D]);
     vector
 }
 

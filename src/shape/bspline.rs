@@ -79,6 +79,7 @@ impl<T: Scalar> ShapeFunction<T> for QuadraticBspline {
 /// A wall shortens the span from 2 cells to 1. Without short circuits this is a choice of factors, made
 /// once per cell.
 #[inline(always)]
+#[expect(clippy::needless_bitwise_bool, reason = "a short circuit becomes a branch per point")]
 fn lower_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
     let at_wall = !at.periodic & (at.cell == 0);
     if at_wall { (T::zero(), T::one()) } else { (T::one(), T::lit(0.5)) }
@@ -86,6 +87,7 @@ fn lower_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
 
 /// Cells from the cell's lower face to the highest knot of the middle function, and their inverse.
 #[inline(always)]
+#[expect(clippy::needless_bitwise_bool, reason = "a short circuit becomes a branch per point")]
 fn upper_span<T: Scalar>(at: &AxisPosition<T>) -> (T, T) {
     let at_wall = !at.periodic & (at.cell + 1 == at.n_cells);
     if at_wall { (T::one(), T::one()) } else { (T::lit(2.0), T::lit(0.5)) }

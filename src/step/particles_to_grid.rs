@@ -244,12 +244,7 @@ where
         let frame = Frame::new(simd, &shape, view.grid, cell);
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
-        let separate = SAMPLES && !fuses_impulse::<T, D, M>();
         let mut transfer = StencilNodes::load::<M::Shape, D>(simd, target.transfer, starts, begin);
-        let mut force = StencilNodes::zero(simd);
-        if separate {
-            force = StencilNodes::load::<M::Shape, D>(simd, target.force, starts, begin);
-        }
         for point in 0..p.position.len() {
             let position = p.position[point];
             let rows = frame.rows(&shape, &position);
@@ -286,12 +281,13 @@ where
             } else {
                 site.add::<S, M::Shape>(simd, (affine, false), &spread, &mut transfer);
                 spread.value = load(simd, &[T::zero(), T::zero(), T::zero(), sample_mass]);
+                // Held for all points, forces and momenta together are more than fits in 16 registers.
+                let mut force =
+                    StencilNodes::load::<M::Shape, D>(simd, target.force, starts, begin);
                 site.add::<S, M::Shape>(simd, (false, true), &spread, &mut force);
+                force.store::<M::Shape, D>(target.force, starts, begin);
             }
         }
         transfer.store::<M::Shape, D>(target.transfer, starts, begin);
-        if separate {
-            force.store::<M::Shape, D>(target.force, starts, begin);
-        }
     }
 }
