@@ -5,9 +5,11 @@ use crate::Scalar;
 use crate::cells::ABSENT;
 use crate::material::Material;
 use crate::method::Method;
+use crate::particles::Particles;
 use crate::reconstruction::Reconstruction;
 use crate::settings::{Fill, FillMass, FillPoints};
 use crate::solver::Solver;
+use crate::step::ParticlesOf;
 use crate::telemetry::Counters;
 
 /// Least half width of the support for fields in an empty cell, cells: it reaches the cells around.
@@ -67,20 +69,24 @@ where
                     return false;
                 }
             }
-            FillMass::Donated => {
-                let share = self.collect(cell, wanted, event) / wanted;
-                for mass in &mut kept.fresh.mass[new] {
-                    *mass *= share;
-                }
-                return share > T::zero();
-            }
+            FillMass::Donated => return self.collect(cell, new, &mut kept.fresh, event),
         }
         kept.created_mass += wanted.as_f64();
         true
     }
 
-    /// Takes mass from the points around a cell: as much as wanted, at most half of what there is.
-    fn collect(&mut self, cell: u32, wanted: T, event: &mut Event<D>) -> T {
+    /// Takes the mass of new points from those around a cell: as much as wanted, at most half of what there
+    /// is. Whether there is any.
+    ///
+    /// Mass and momentum are kept: what the new points have of the latter beyond their share, which is that
+    /// of their mass, the others lose, all by the same change of velocity.
+    fn collect(
+        &mut self,
+        cell: u32,
+        new: std::ops::Range<usize>,
+        fresh: &mut ParticlesOf<T, D, M, K>,
+        event: &mut Event<D>,
+    ) -> bool {
         // Over a narrow periodic axis the same cell lies on both sides.
         let mut slots = [ABSENT; 27];
         let at = self.grid.cell_coordinates(cell);
@@ -92,14 +98,15 @@ where
             let is_new = slots[k] != ABSENT && (k == 0 || slots[k] != slots[k - 1]);
             is_new.then_some(slots[k] as usize)
         };
-        let mut present = T::zero();
+        let (mut present, mut momentum) = (T::zero(), [T::zero(); D]);
         for slot in (0..slots.len()).filter_map(donors) {
             for point in self.cells.points(slot) {
-                present += self.particles.mass[point];
+                add_momentum(&self.particles, point, (&mut present, &mut momentum));
             }
         }
+        let wanted = fresh.mass[new.clone()].iter().fold(T::zero(), |sum, &mass| sum + mass);
         if !(present > T::zero()) {
-            return T::zero();
+            return false;
         }
         let share = (wanted / present).min(T::lit(0.5));
         let mut taken = T::zero();
@@ -110,10 +117,23 @@ where
                 let part = *mass * share;
                 *mass -= part;
                 taken += part;
+            }
+        }
+        let (mut received, mut carried) = (T::zero(), [T::zero(); D]);
+        for point in new {
+            fresh.mass[point] *= taken / wanted;
+            add_momentum(fresh, point, (&mut received, &mut carried));
+        }
+        for slot in (0..slots.len()).filter_map(donors) {
+            for point in self.cells.points(slot) {
+                for axis in 0..D {
+                    let excess = carried[axis] - momentum[axis] * (taken / present);
+                    self.particles.velocity[point][axis] -= excess / (present - taken);
+                }
                 self.add_totals(&self.particles, point, &mut event.after);
             }
         }
-        taken
+        true
     }
 
     /// Appends `per_axis` points per axis for a cell to the new ones, with fields by moving least
@@ -154,6 +174,18 @@ where
         }
         self.counters = self.counters.sum(counters);
         true
+    }
+}
+
+/// Adds mass and momentum of a point.
+fn add_momentum<T: Scalar, const D: usize, A, S>(
+    particles: &Particles<T, D, A, S>,
+    point: usize,
+    (mass, momentum): (&mut T, &mut [T; D]),
+) {
+    *mass += particles.mass[point];
+    for axis in 0..D {
+        momentum[axis] += particles.mass[point] * particles.velocity[point][axis];
     }
 }
 
