@@ -194,3 +194,54 @@ impl<T: Scalar, F: Field<T>, G: Fn(usize) -> F, const D: usize> PointField<T, D>
         quad
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{MovingLeastSquares, Reconstruction as _};
+    use super::*;
+    use crate::basis::{Limiters, Linear};
+    use crate::cells::Cells;
+    use crate::grid::Grid;
+    use crate::math::Value;
+    use crate::particles::Particles;
+    use crate::scene::{Boundary, GridSpec};
+    use crate::simd::vectorized;
+
+    #[test]
+    fn fits_from_columns_and_from_single_points_are_the_same_bits() {
+        let spec = GridSpec { origin: [0.5, -0.25], spacing: [0.3, 0.2], cells: [5, 6] };
+        let grid =
+            Grid::<f64, 2>::new(&spec, &[[Boundary::Periodic; 2], [Boundary::Slip; 2]], 1).unwrap();
+        let mut particles = Particles::<f64, 2, (), ()>::default();
+        for k in 0..97_u32 {
+            // Two irrational numbers spread the points over the box, at 0 to 6 per cell.
+            let place = [0.754_877_666, 0.569_840_291].map(|step| (step * f64::from(k)).fract());
+            let position = [0.5 + 1.5 * place[0], -0.25 + 1.2 * place[1]];
+            particles.push(k, position, [0.0; 2], 1.0 + place[0] * place[1], 1.0);
+            particles.cell[k as usize] = grid.cell_of(position).unwrap();
+        }
+        let mut cells = Cells::new(&grid);
+        cells.bin(&grid, &mut particles, &mut Particles::default());
+        let (position, density) = (&particles.position, &particles.density);
+        let cloud = Cloud { grid: &grid, cells: &cells, position, mass: &particles.mass, density };
+        let mut columns = Columns::default();
+        columns.resize(particles.len(), 3);
+        for axis in 0..2 {
+            columns.set(axis, |points| position[points].iter().map(move |x| x[axis]));
+        }
+        columns.set(2, |points| density[points].iter().copied());
+        for support in [1.0, 1.5] {
+            let mut fit = MovingLeastSquares::<Linear, f64>::new(support);
+            fit.limiters = Limiters { leverage: Some(3.0), positivity: Some(0.8) };
+            for &cell in &cells.index {
+                let cell = grid.cell_coordinates(cell);
+                let node = cell.map(|c| c as f64);
+                let field = || columns.field::<Value<f64>>(2);
+                let center = vectorized!(simd => fit.fit_center(simd, &cloud, cell, field()));
+                assert_eq!(center, fit.at_center(&cloud, cell, |p| Value(density[p])));
+                let corner = vectorized!(simd => fit.fit_node(simd, &cloud, node, field()));
+                assert_eq!(corner, fit.at_node(&cloud, node, |p| Value(density[p])));
+            }
+        }
+    }
+}
