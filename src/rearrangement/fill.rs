@@ -9,7 +9,6 @@ use crate::particles::Particles;
 use crate::reconstruction::Reconstruction;
 use crate::settings::{Fill, FillMass, FillPoints};
 use crate::solver::Solver;
-use crate::step::ParticlesOf;
 use crate::telemetry::Counters;
 
 /// Least half width of the support for fields in an empty cell, cells: it reaches the cells around.
@@ -24,8 +23,13 @@ where
     /// Fills the fractures, with fields from the points as they are before.
     pub(super) fn fill(&mut self, fill: Fill, kept: &mut RearrangerOf<T, D, M, K>) {
         let n_fractures = kept.survey.fractures.len();
+        if n_fractures == 0 {
+            return;
+        }
         self.counters.n_fracture_cells += n_fractures as u64;
         let mut event = Event::new(self.time, EventKind::Fill);
+        kept.excess.clear();
+        kept.excess.resize(self.particles.len(), [T::zero(); D]);
         for fracture in 0..n_fractures {
             let cell = kept.survey.fractures[fracture];
             let start = kept.fresh.len();
@@ -41,7 +45,23 @@ where
             }
         }
         self.counters.n_points_filled += event.n_added;
+        if event.n_cells > 0 {
+            self.take_excess(kept, &mut event);
+        }
         self.finish(event, kept);
+    }
+
+    /// Takes the excess of momentum of the new points from those that gave mass, now that no fit needs
+    /// their velocities any more.
+    fn take_excess(&mut self, kept: &RearrangerOf<T, D, M, K>, event: &mut Event<D>) {
+        let zero = [T::zero(); D];
+        for (point, excess) in kept.excess.iter().enumerate().filter(|(_, e)| **e != zero) {
+            self.add_totals(&self.particles, point, &mut event.before);
+            for axis in 0..D {
+                self.particles.velocity[point][axis] -= excess[axis] / self.particles.mass[point];
+            }
+            self.add_totals(&self.particles, point, &mut event.after);
+        }
     }
 
     /// Fills one cell, unless a field or mass is wanting.
@@ -69,7 +89,7 @@ where
                     return false;
                 }
             }
-            FillMass::Donated => return self.collect(cell, new, &mut kept.fresh, event),
+            FillMass::Donated => return self.collect(cell, new, kept, event),
         }
         kept.created_mass += wanted.as_f64();
         true
@@ -78,15 +98,16 @@ where
     /// Takes the mass of new points from those around a cell: as much as wanted, at most half of what there
     /// is. Whether there is any.
     ///
-    /// Mass and momentum are kept: what the new points have of the latter beyond their share, which is that
-    /// of their mass, the others lose, all by the same change of velocity.
+    /// What the new points have of the momentum beyond the share that is that of their mass, the others will
+    /// lose, all by the same change of velocity.
     fn collect(
         &mut self,
         cell: u32,
         new: std::ops::Range<usize>,
-        fresh: &mut ParticlesOf<T, D, M, K>,
+        kept: &mut RearrangerOf<T, D, M, K>,
         event: &mut Event<D>,
     ) -> bool {
+        let fresh = &mut kept.fresh;
         // Over a narrow periodic axis the same cell lies on both sides.
         let mut slots = [ABSENT; 27];
         let at = self.grid.cell_coordinates(cell);
@@ -117,6 +138,7 @@ where
                 let part = *mass * share;
                 *mass -= part;
                 taken += part;
+                self.add_totals(&self.particles, point, &mut event.after);
             }
         }
         let (mut received, mut carried) = (T::zero(), [T::zero(); D]);
@@ -126,11 +148,11 @@ where
         }
         for slot in (0..slots.len()).filter_map(donors) {
             for point in self.cells.points(slot) {
+                let part = self.particles.mass[point] / (present - taken);
                 for axis in 0..D {
                     let excess = carried[axis] - momentum[axis] * (taken / present);
-                    self.particles.velocity[point][axis] -= excess / (present - taken);
+                    kept.excess[point][axis] += part * excess;
                 }
-                self.add_totals(&self.particles, point, &mut event.after);
             }
         }
         true

@@ -33,6 +33,8 @@ pub struct Rearranger<T, const D: usize, A, S> {
     survey: Survey,
     fresh: Particles<T, D, A, S>,
     moved: Vec<shift::Moved<T, D, S>>,
+    /// Momentum that fills still take from the points, kg m/s.
+    excess: Vec<[T; D]>,
     n_steps: u32,
     next_id: u32,
     initial_mass: f64,
@@ -81,6 +83,7 @@ where
             survey: Survey::new(&self.grid),
             fresh: Particles::default(),
             moved: Vec::new(),
+            excess: Vec::new(),
             n_steps: 0,
             next_id: p.id.iter().fold(used, |next, &id| next.max(id.saturating_add(1))),
             initial_mass: p.mass.iter().map(|mass| mass.as_f64()).sum(),
