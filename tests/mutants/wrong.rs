@@ -5,7 +5,7 @@ use transpoint::basis::{self, Fit};
 use transpoint::cells::CellKind;
 use transpoint::equation_of_state::EquationOfState;
 use transpoint::material::{Deviatoric, General, GeneralState, Material, Strain, Work};
-use transpoint::math::{Field, Tensor};
+use transpoint::math::Tensor;
 use transpoint::quadrature::{PointVolumes, Quadrature, Samples};
 use transpoint::reconstruction::{Cloud, MovingLeastSquares, PointField, Reconstruction};
 use transpoint::shape::{AxisPosition, Linear, QuadraticBspline, Row, ShapeFunction};
