@@ -57,8 +57,9 @@ fn moving_least_squares(criterion: &mut Criterion) {
     let (mut generic, mut plain) = (generic::tpm(&square).0, Tpm2::<f64>::new(&square));
     generic.advance(DT).expect("a sound scene");
     plain.step(DT);
-    let Solver { method, physics, grid, cells, particles, nodes, centers, .. } = &mut generic;
-    let view = View { method, physics, grid, cells, particles };
+    let Solver { method, physics, grid, cells, particles, columns, nodes, centers, .. } =
+        &mut generic;
+    let view = View { method, physics, grid, cells, particles, columns };
     let mut group = criterion.benchmark_group("moving-least-squares-2d");
     group.throughput(Throughput::Elements(square.points.len() as u64));
     group.bench_function("centers", |b| b.iter(|| rebuild_centers(&view, centers)));

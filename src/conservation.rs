@@ -114,6 +114,9 @@ where
     pub(crate) fn sampled_mass(&self) -> f64 {
         let rows =
             if fuses_impulse::<T, D, M>() { &self.nodes.transfer } else { &self.nodes.force };
+        if !self.grid.periodic.contains(&true) {
+            return rows.iter().map(|row| row[3].as_f64()).sum();
+        }
         let masses = self.nodes.index.iter().zip(rows).filter(|(node, _)| {
             let at = self.grid.node_coordinates(**node);
             // Images of periodic nodes hold the same sum.

@@ -148,6 +148,26 @@ impl<T: Scalar, const D: usize> Grid<T, D> {
         (0..3_usize.pow(D as u32)).filter_map(move |code| self.neighbor(cell, shift_of(code)))
     }
 
+    /// Whether something holds for all cells of the box at and around a cell, given by dense numbers.
+    #[inline(always)]
+    pub fn all_around(&self, cell: [usize; D], mut holds: impl FnMut(usize) -> bool) -> bool {
+        let is_inside = (0..D).all(|axis| cell[axis] > 0 && cell[axis] + 1 < self.n_cells[axis]);
+        if !is_inside {
+            return self.around(cell).all(holds);
+        }
+        // Rows of three cells, without a look at faces.
+        let n_rows = 3_usize.pow(D as u32 - 1);
+        (0..n_rows).all(|row| {
+            let (mut rest, mut start, mut stride) = (row, cell[D - 1] - 1, self.n_cells[D - 1]);
+            for axis in (0..D - 1).rev() {
+                start += (cell[axis] + rest % 3 - 1) * stride;
+                rest /= 3;
+                stride *= self.n_cells[axis];
+            }
+            (start..start + 3).all(&mut holds)
+        })
+    }
+
     /// Dense number of the first node that the points of a cell can touch.
     #[inline(always)]
     pub fn first_node(&self, cell: [usize; D]) -> usize {

@@ -4,8 +4,8 @@ use crate::Scalar;
 use crate::math::Field;
 use crate::parallel::{Split, for_each_block};
 
-/// Points per task when arrays are permuted or totals are formed.
-pub const POINT_GRAIN: usize = 4096;
+/// Points per task when arrays are permuted or copied.
+pub const POINT_GRAIN: usize = 16_384;
 
 /// State of all points; `A` is the affine velocity field and `S` the state of the material, both `()` when absent.
 ///

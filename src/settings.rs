@@ -242,7 +242,7 @@ pub enum FillMass {
     /// beyond that are refused and counted. Mass that leaves through free faces gives no credit.
     Budget(f64),
     /// The points of the cells around give it in proportion to their masses, each at most half of its
-    /// own per fill, so that the total stays to round-off.
+    /// own per fill, and change their velocities such that mass and momentum stay to round-off.
     Donated,
 }
 

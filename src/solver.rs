@@ -16,6 +16,7 @@ use crate::quadrature::{
     Quadrature, classify, classify_by_volume, mark_near_surface, wetted_sites,
 };
 use crate::rearrangement::{Ledger, RearrangerOf};
+use crate::reconstruction::Columns;
 use crate::scene::Scene;
 use crate::scene_check::{
     box_edge, check_energy_update, check_material, check_points, check_samples, linear_law,
@@ -25,7 +26,7 @@ use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::step::{
     AffineOf, CellMean, CellSamples, Center, GridState, NodeForces, ParticlesOf, Pass, Physics,
-    ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse,
+    ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse, gather_columns,
     grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
     rebuild_centers, update_grid,
 };
@@ -71,6 +72,8 @@ where
     pub(crate) next_id: u32,
     /// Mass by the quadrature of the last step, where points were sorted since, kg.
     pub(crate) grid_mass_before: f64,
+    /// What fits read of the points, as they were when it was last brought up to date.
+    pub columns: Columns<T>,
     means: Vec<CellMean<T, D>>,
     sites: Vec<[T; D]>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
@@ -138,6 +141,7 @@ where
             bodies: None,
             next_id: scene.points.len() as u32,
             grid_mass_before: 0.0,
+            columns: Columns::default(),
             means: Vec::new(),
             sites: Vec::new(),
             spare: Particles::default(),
@@ -202,17 +206,8 @@ where
 
     /// Everything that a phase may read.
     pub(crate) fn as_view(&self) -> View<'_, T, D, M, K> {
-        Self::view(&self.method, &self.physics, &self.grid, &self.cells, &self.particles)
-    }
-
-    fn view<'a>(
-        method: &'a M,
-        physics: &'a Physics<T, D, K>,
-        grid: &'a Grid<T, D>,
-        cells: &'a Cells,
-        particles: &'a ParticlesOf<T, D, M, K>,
-    ) -> View<'a, T, D, M, K> {
-        View { method, physics, grid, cells, particles }
+        let Self { method, physics, grid, cells, particles, columns, .. } = self;
+        View { method, physics, grid, cells, particles, columns }
     }
 
     /// Points → cells: sorts the points and numbers the cells and nodes that they touch.
@@ -232,18 +227,16 @@ where
 
     /// Tells boundary cells from internal ones, where that may have changed.
     fn classify(&mut self, new_cells: bool) {
-        let Self { method, physics, grid, cells, particles, .. } = self;
-        let Some(least_share) = method.quadrature().least_share() else {
+        let Some(least_share) = self.method.quadrature().least_share() else {
             if new_cells {
-                classify(grid, cells);
+                classify(&self.grid, &mut self.cells);
             }
             return;
         };
-        let mut kind = std::mem::take(&mut cells.kind);
-        let view = Self::view(method, physics, grid, cells, particles);
-        classify_by_volume(&view.cloud(), least_share, &mut kind);
-        cells.kind = kind;
-        mark_near_surface(grid, cells);
+        let mut kind = std::mem::take(&mut self.cells.kind);
+        classify_by_volume(&self.as_view().cloud(), least_share, &mut kind);
+        self.cells.kind = kind;
+        mark_near_surface(&self.grid, &mut self.cells);
     }
 
     fn count_work(&mut self) {
@@ -268,8 +261,10 @@ where
     /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.
     pub fn particles_to_grid(&mut self, dt: T) {
         let uses_centers = <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells();
-        let Self { method, physics, grid, cells, particles, nodes, centers, sites, .. } = self;
-        let view = Self::view(method, physics, grid, cells, particles);
+        gather_columns::<T, D, M, K>(&self.particles, &mut self.columns);
+        let Self { method, physics, grid, cells, particles, columns, .. } = self;
+        let view = View { method, physics, grid, cells, particles, columns };
+        let (nodes, centers, sites) = (&mut self.nodes, &mut self.centers, &mut self.sites);
         let mut counters = Counters::default();
         if uses_centers {
             centers.resize(cells.len(), Center::default());
@@ -325,8 +320,10 @@ where
     /// The state update takes its strain from node velocities rebuilt from the points as they are:
     /// before the forces (USF) or after them (MUSL).
     pub fn strain_from_points(&mut self) {
-        let Self { method, physics, grid, cells, particles, nodes, centers, sites, .. } = self;
-        let view = Self::view(method, physics, grid, cells, particles);
+        gather_columns::<T, D, M, K>(&self.particles, &mut self.columns);
+        let Self { method, physics, grid, cells, particles, columns, .. } = self;
+        let view = View { method, physics, grid, cells, particles, columns };
+        let (nodes, centers, sites) = (&mut self.nodes, &mut self.centers, &mut self.sites);
         let parts = (ScatterParts::Momentum, T::zero());
         let samples = CellSamples { centers, sites };
         let mut counters = particles_to_grid(&view, samples, parts, nodes);

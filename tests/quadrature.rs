@@ -222,6 +222,7 @@ fn samples_of_cut_cells_stand_at_the_centroid_of_the_wet_part() {
         grid: &solver.grid,
         cells: &solver.cells,
         particles: &solver.particles,
+        columns: &solver.columns,
     };
     let mut sites = Vec::new();
     wetted_sites(&view, &solver.centers, &mut sites);

@@ -18,10 +18,18 @@ use crate::step::{CELL_GRAIN, Center, StateOf, View};
 pub fn classify<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
     for slot in 0..cells.len() {
         let cell = grid.cell_coordinates(cells.index[slot]);
-        let empty = grid.around(cell).any(|found| cells.is_vacant(found));
-        cells.kind[slot] = if empty { CellKind::Boundary } else { CellKind::Internal };
+        let full = grid.all_around(cell, |found| !cells.is_vacant(found));
+        cells.kind[slot] = if full { CellKind::Internal } else { CellKind::Boundary };
     }
-    mark_near_surface(grid, cells);
+    // Cells next to empty ones are boundary cells themselves: these are few, and mark those around.
+    cells.near_surface.fill(false);
+    for slot in (0..cells.len()).filter(|&slot| cells.kind[slot] == CellKind::Boundary) {
+        for found in grid.around(grid.cell_coordinates(cells.index[slot])) {
+            if let Some(near) = cells.near_surface.get_mut(cells.slot_of[found] as usize) {
+                *near = true;
+            }
+        }
+    }
 }
 
 /// The rival criterion of Sect. 2.3 of \[Song2020\]: a cell is a boundary cell while Σ m/ρ < β V.
@@ -41,13 +49,14 @@ pub fn classify_by_volume<T: Scalar, const D: usize>(
     }));
 }
 
-/// A cell is near the surface when it or a neighbour is a boundary cell or empty.
+/// A cell is near the surface when it or a neighbour is a boundary cell or empty, whatever tells boundary
+/// cells from internal ones.
 pub fn mark_near_surface<T: Scalar, const D: usize>(grid: &Grid<T, D>, cells: &mut Cells) {
     for slot in 0..cells.len() {
         let cell = grid.cell_coordinates(cells.index[slot]);
-        cells.near_surface[slot] = grid.around(cell).any(|found| {
+        cells.near_surface[slot] = !grid.all_around(cell, |found| {
             let kind = cells.kind.get(cells.slot_of[found] as usize);
-            cells.is_vacant(found) || kind == Some(&CellKind::Boundary)
+            kind == Some(&CellKind::Internal) || cells.is_solid(found)
         });
     }
 }
@@ -73,12 +82,16 @@ pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, edge: T,
     }
     let mut volume = T::zero();
     cloud.visit(Neighborhood::of_cells_around(grid, cell), center, |point, offset| {
-        let carried = cloud.mass[point] / cloud.density[point];
-        let share = shares(offset, edge);
         if !own.contains(&point) {
-            volume += share.iter().fold(carried, |product, along| product * along[1]);
+            let inside = offset.map(|x| share_at(x, edge, T::zero()));
+            if inside.iter().all(|&share| share > T::zero()) {
+                let carried = cloud.mass[point] / cloud.density[point];
+                volume += inside.iter().fold(carried, |product, &share| product * share);
+            }
             return;
         }
+        let carried = cloud.mass[point] / cloud.density[point];
+        let share = shares(offset, edge);
         let mut elsewhere = T::zero();
         for code in
             (0..3_usize.pow(D as u32)).filter(|&code| active[code] && code != own_code::<D>())
@@ -100,13 +113,15 @@ pub fn boxed_volume<T: Scalar, const D: usize>(cloud: &Cloud<'_, T, D>, edge: T,
 /// axis; `offset` is that of the box from the cell's centre in cells.
 #[inline(always)]
 fn shares<T: Scalar, const D: usize>(offset: [T; D], edge: T) -> [[T; 3]; D] {
+    offset.map(|x| [-T::one(), T::zero(), T::one()].map(|at| share_at(x, edge, at)))
+}
+
+/// Share of an interval about `x` that lies within half a cell of `at`.
+#[inline(always)]
+fn share_at<T: Scalar>(x: T, edge: T, at: T) -> T {
     let (half, reach) = (T::lit(0.5), T::lit(0.5) * edge);
-    offset.map(|x| {
-        [-T::one(), T::zero(), T::one()].map(|at| {
-            let (upper, lower) = ((x + reach).min(at + half), (x - reach).max(at - half));
-            (upper - lower).max(T::zero()) / edge
-        })
-    })
+    let (upper, lower) = ((x + reach).min(at + half), (x - reach).max(at - half));
+    (upper - lower).max(T::zero()) / edge
 }
 
 /// The code of no shift.

@@ -5,6 +5,7 @@ use crate::Scalar;
 use crate::cells::ABSENT;
 use crate::material::Material;
 use crate::method::Method;
+use crate::particles::Particles;
 use crate::reconstruction::Reconstruction;
 use crate::settings::{Fill, FillMass, FillPoints};
 use crate::solver::Solver;
@@ -22,8 +23,13 @@ where
     /// Fills the fractures, with fields from the points as they are before.
     pub(super) fn fill(&mut self, fill: Fill, kept: &mut RearrangerOf<T, D, M, K>) {
         let n_fractures = kept.survey.fractures.len();
+        if n_fractures == 0 {
+            return;
+        }
         self.counters.n_fracture_cells += n_fractures as u64;
         let mut event = Event::new(self.time, EventKind::Fill);
+        kept.excess.clear();
+        kept.excess.resize(self.particles.len(), [T::zero(); D]);
         for fracture in 0..n_fractures {
             let cell = kept.survey.fractures[fracture];
             let start = kept.fresh.len();
@@ -39,7 +45,23 @@ where
             }
         }
         self.counters.n_points_filled += event.n_added;
+        if event.n_cells > 0 {
+            self.take_excess(kept, &mut event);
+        }
         self.finish(event, kept);
+    }
+
+    /// Takes the excess of momentum of the new points from those that gave mass, now that no fit needs
+    /// their velocities any more.
+    fn take_excess(&mut self, kept: &RearrangerOf<T, D, M, K>, event: &mut Event<D>) {
+        let zero = [T::zero(); D];
+        for (point, excess) in kept.excess.iter().enumerate().filter(|(_, e)| **e != zero) {
+            self.add_totals(&self.particles, point, &mut event.before);
+            for axis in 0..D {
+                self.particles.velocity[point][axis] -= excess[axis] / self.particles.mass[point];
+            }
+            self.add_totals(&self.particles, point, &mut event.after);
+        }
     }
 
     /// Fills one cell, unless a field or mass is wanting.
@@ -67,20 +89,25 @@ where
                     return false;
                 }
             }
-            FillMass::Donated => {
-                let share = self.collect(cell, wanted, event) / wanted;
-                for mass in &mut kept.fresh.mass[new] {
-                    *mass *= share;
-                }
-                return share > T::zero();
-            }
+            FillMass::Donated => return self.collect(cell, new, kept, event),
         }
         kept.created_mass += wanted.as_f64();
         true
     }
 
-    /// Takes mass from the points around a cell: as much as wanted, at most half of what there is.
-    fn collect(&mut self, cell: u32, wanted: T, event: &mut Event<D>) -> T {
+    /// Takes the mass of new points from those around a cell: as much as wanted, at most half of what there
+    /// is. Whether there is any.
+    ///
+    /// What the new points have of the momentum beyond the share that is that of their mass, the others will
+    /// lose, all by the same change of velocity.
+    fn collect(
+        &mut self,
+        cell: u32,
+        new: std::ops::Range<usize>,
+        kept: &mut RearrangerOf<T, D, M, K>,
+        event: &mut Event<D>,
+    ) -> bool {
+        let fresh = &mut kept.fresh;
         // Over a narrow periodic axis the same cell lies on both sides.
         let mut slots = [ABSENT; 27];
         let at = self.grid.cell_coordinates(cell);
@@ -92,14 +119,15 @@ where
             let is_new = slots[k] != ABSENT && (k == 0 || slots[k] != slots[k - 1]);
             is_new.then_some(slots[k] as usize)
         };
-        let mut present = T::zero();
+        let (mut present, mut momentum) = (T::zero(), [T::zero(); D]);
         for slot in (0..slots.len()).filter_map(donors) {
             for point in self.cells.points(slot) {
-                present += self.particles.mass[point];
+                add_momentum(&self.particles, point, (&mut present, &mut momentum));
             }
         }
+        let wanted = fresh.mass[new.clone()].iter().fold(T::zero(), |sum, &mass| sum + mass);
         if !(present > T::zero()) {
-            return T::zero();
+            return false;
         }
         let share = (wanted / present).min(T::lit(0.5));
         let mut taken = T::zero();
@@ -113,7 +141,21 @@ where
                 self.add_totals(&self.particles, point, &mut event.after);
             }
         }
-        taken
+        let (mut received, mut carried) = (T::zero(), [T::zero(); D]);
+        for point in new {
+            fresh.mass[point] *= taken / wanted;
+            add_momentum(fresh, point, (&mut received, &mut carried));
+        }
+        for slot in (0..slots.len()).filter_map(donors) {
+            for point in self.cells.points(slot) {
+                let part = self.particles.mass[point] / (present - taken);
+                for axis in 0..D {
+                    let excess = carried[axis] - momentum[axis] * (taken / present);
+                    kept.excess[point][axis] += part * excess;
+                }
+            }
+        }
+        true
     }
 
     /// Appends `per_axis` points per axis for a cell to the new ones, with fields by moving least
@@ -154,6 +196,18 @@ where
         }
         self.counters = self.counters.sum(counters);
         true
+    }
+}
+
+/// Adds mass and momentum of a point.
+fn add_momentum<T: Scalar, const D: usize, A, S>(
+    particles: &Particles<T, D, A, S>,
+    point: usize,
+    (mass, momentum): (&mut T, &mut [T; D]),
+) {
+    *mass += particles.mass[point];
+    for axis in 0..D {
+        momentum[axis] += particles.mass[point] * particles.velocity[point][axis];
     }
 }
 

@@ -47,11 +47,11 @@ impl Survey {
         internal.clear();
         were_internal.clear();
         for &cell in occupied {
-            let mut full = true;
-            for found in grid.around(grid.cell_coordinates(cell)) {
-                if !is_occupied(found) {
+            let at = grid.cell_coordinates(cell);
+            let full = grid.all_around(at, &is_occupied);
+            if !full {
+                for found in grid.around(at).filter(|&found| !is_occupied(found)) {
                     marks.set(found);
-                    full = false;
                 }
             }
             internal.push(full);

@@ -1,6 +1,6 @@
 //! Carried values: every point keeps its own, as in MPM.
 
-use super::{Cloud, Reconstruction};
+use super::{Cloud, PointField, Reconstruction};
 use crate::Scalar;
 use crate::basis::Fit;
 use crate::math::Field;
@@ -20,37 +20,37 @@ impl<T: Scalar, const D: usize> Reconstruction<T, D> for Carried {
     }
 
     #[inline(always)]
-    fn fit_center<S: Simd, F: Field<T>>(
+    fn fit_center<S: Simd, P: PointField<T, D>>(
         &self,
         _simd: S,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F> {
+        field: P,
+    ) -> Fit<P::Field> {
         let index = cell.iter().zip(cloud.grid.n_cells).fold(0, |index, (&c, n)| index * n + c);
         let mut total = T::zero();
-        let mut sum = F::default();
+        let mut sum = P::Field::default();
         for point in cloud.cells.points(cloud.cells.slot_of[index] as usize) {
             let volume = cloud.mass[point] / cloud.density[point];
             total += volume;
-            sum.add_scaled(volume, field(point));
+            sum.add_scaled(volume, field.at(point));
         }
         if !(total > T::zero()) {
             return Fit::Empty;
         }
-        let mut mean = F::default();
+        let mut mean = P::Field::default();
         mean.add_scaled(T::one() / total, sum);
         Fit::Regular(mean)
     }
 
     #[inline(always)]
-    fn fit_node<S: Simd, F: Field<T>>(
+    fn fit_node<S: Simd, P: PointField<T, D>>(
         &self,
         _simd: S,
         _cloud: &Cloud<'_, T, D>,
         _node: [T; D],
-        _field: impl Fn(usize) -> F,
-    ) -> Fit<F> {
+        _field: P,
+    ) -> Fit<P::Field> {
         Fit::Empty
     }
 }

@@ -84,7 +84,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
             neighborhood,
             target,
             #[inline(always)]
-            |run, base| {
+            |run, base, _row| {
                 for point in run.start as usize..run.end as usize {
                     let position = self.position[point];
                     let mut offset = base;
@@ -99,7 +99,8 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
 
     /// Visits the points of a neighbourhood as runs that are stored one after another: the points of
     /// cells in a row along the last axis. With each comes what, added to the place of one of its
-    /// points in cells from the lower corner, gives the offset from the target.
+    /// points in cells from the lower corner, gives the offset from the target, and the first cell of
+    /// the row, as in the neighbourhood.
     ///
     /// The order is that of [`Self::visit`].
     #[inline(always)]
@@ -107,7 +108,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
         &self,
         neighborhood: Neighborhood<D>,
         target: [T; D],
-        mut visit: impl FnMut(Range<u32>, [T; D]),
+        mut visit: impl FnMut(Range<u32>, [T; D], [i32; D]),
     ) {
         let Neighborhood { first, end } = neighborhood;
         if (0..D).any(|axis| first[axis] >= end[axis]) {
@@ -138,7 +139,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
         at: [i32; D],
         end: i32,
         target: [T; D],
-        visit: &mut impl FnMut(Range<u32>, [T; D]),
+        visit: &mut impl FnMut(Range<u32>, [T; D], [i32; D]),
     ) {
         let mut row = 0;
         let mut base = [T::zero(); D];
@@ -156,7 +157,7 @@ impl<T: Scalar, const D: usize> Cloud<'_, T, D> {
             let length = ((end - along) as usize).min(n - cell);
             let begin = row * n + cell;
             if let Some(run) = self.points_of(begin..begin + length) {
-                visit(run, base);
+                visit(run, base, at);
             }
             along += length as i32;
         }

@@ -1,10 +1,12 @@
 //! Fields at cell centres and nodes, rebuilt from the points around them.
 
 mod carried;
+mod columns;
 mod gather;
 mod moving_least_squares;
 
 pub use carried::Carried;
+pub use columns::{Columns, EachPoint, InColumns, PointField, Quad};
 pub use gather::{Cloud, Neighborhood};
 pub use moving_least_squares::MovingLeastSquares;
 
@@ -31,32 +33,32 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         *self
     }
 
-    /// Fits a field at the centre of an active cell; `field(p)` is its value at point `p`.
-    fn fit_center<S: Simd, F: Field<T>>(
+    /// Fits a field at the centre of an active cell.
+    fn fit_center<S: Simd, P: PointField<T, D>>(
         &self,
         simd: S,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F>;
+        field: P,
+    ) -> Fit<P::Field>;
 
     /// Fits a field at a node given by its coordinates in cells from the lower corner.
-    fn fit_node<S: Simd, F: Field<T>>(
+    fn fit_node<S: Simd, P: PointField<T, D>>(
         &self,
         simd: S,
         cloud: &Cloud<'_, T, D>,
         node: [T; D],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F>;
+        field: P,
+    ) -> Fit<P::Field>;
 
-    /// [`Self::fit_center`] for a single fit, outside of a kernel.
+    /// [`Self::fit_center`] for a single fit, outside of a kernel; `field(p)` is the value at point `p`.
     fn at_center<F: Field<T>>(
         &self,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        vectorized!(simd => self.fit_center(simd, cloud, cell, field))
+        vectorized!(simd => self.fit_center(simd, cloud, cell, EachPoint(field)))
     }
 
     /// [`Self::fit_node`] for a single fit, outside of a kernel.
@@ -66,6 +68,6 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         node: [T; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        vectorized!(simd => self.fit_node(simd, cloud, node, field))
+        vectorized!(simd => self.fit_node(simd, cloud, node, EachPoint(field)))
     }
 }

@@ -1,13 +1,12 @@
 //! Moving least squares on a square (cubic) support, Eqs. (17)-(20) of \[Song2020\].
 
 use std::marker::PhantomData;
-use std::ops::Range;
 
-use super::{Cloud, Neighborhood, Reconstruction};
+use super::{Cloud, Neighborhood, PointField, Reconstruction};
 use crate::Scalar;
 use crate::basis::{Fit, Limiters, MomentSystem, PolynomialBasis};
 use crate::math::{Field, MAX_COMPONENTS};
-use crate::simd::{Simd, SimdBase as _, load, splat};
+use crate::simd::{Select as _, Simd, SimdBase as _, splat};
 
 /// Moving least squares, \[LancasterSalkauskas1981\], with a product of cubic splines as weight.
 ///
@@ -50,146 +49,92 @@ fn weights<T: Scalar, S: Simd>(simd: S, r: T::Four<S>) -> T::Four<S> {
     outer * outer * outer - splat(simd, T::lit(4.0)) * (inner * inner * inner)
 }
 
-/// Four points side by side: positions, m, and the components of a field.
-struct Quad<V, const D: usize> {
-    position: [V; D],
-    components: [V; MAX_COMPONENTS],
+/// Which points belong to a target, for the positivity limiter: those at offsets below `reach` cells along
+/// every axis, and how much.
+struct Own<W, T> {
+    reach: T,
+    weight: W,
 }
 
-impl<V, const D: usize> Quad<V, D> {
-    /// The first four points of a run; where there are fewer, the last one several times.
-    #[inline(always)]
-    fn first_of<T, S, F>(
-        simd: S,
-        position: &[[T; D]],
-        field: &impl Fn(usize) -> F,
-        run: Range<u32>,
-    ) -> Self
-    where
-        T: Scalar<Four<S> = V>,
-        S: Simd,
-        V: Copy,
-        F: Field<T>,
-    {
-        let (first, last) = (run.start as usize, run.end as usize - 1);
-        if run.len() >= 4 {
-            Self::gather(
-                simd,
-                position,
-                field,
-                #[inline(always)]
-                |lane| first + lane,
-            )
-        } else {
-            Self::gather(
-                simd,
-                position,
-                field,
-                #[inline(always)]
-                |lane| (first + lane).min(last),
-            )
-        }
+impl<W, T: Scalar> Own<W, T> {
+    fn within(reach: T, weight: W) -> Self {
+        Self { reach, weight }
     }
 
-    /// Takes the points with four numbers.
+    /// Whether points of a row of cells may belong to the target, by the axes across the row.
     #[inline(always)]
-    fn gather<T, S, F>(
-        simd: S,
-        position: &[[T; D]],
-        field: &impl Fn(usize) -> F,
-        number: impl Fn(usize) -> usize,
-    ) -> Self
-    where
-        T: Scalar<Four<S> = V>,
-        S: Simd,
-        V: Copy,
-        F: Field<T>,
-    {
-        let zero = T::zero();
-        let mut at = [[zero; 4]; D];
-        let mut values = [[zero; 4]; MAX_COMPONENTS];
-        // The last one first: one check of its bounds then covers all four.
-        for lane in (0..4).rev() {
-            let point = number(lane);
-            for axis in 0..D {
-                at[axis][lane] = position[point][axis];
-            }
-            let mut components = [zero; MAX_COMPONENTS];
-            field(point).write(&mut components[..F::COMPONENTS]);
-            for k in 0..F::COMPONENTS {
-                values[k][lane] = components[k];
-            }
-        }
-        let none = splat(simd, zero);
-        let mut quad = Self { position: [none; D], components: [none; MAX_COMPONENTS] };
-        for axis in 0..D {
-            quad.position[axis] = load(simd, &at[axis]);
-        }
-        for k in 0..F::COMPONENTS {
-            quad.components[k] = load(simd, &values[k]);
-        }
-        quad
+    fn has_row<const D: usize>(&self, row: [i32; D], target: [T; D]) -> bool {
+        let half = T::lit(0.5);
+        (0..D - 1).all(|axis| {
+            let middle = T::lit(f64::from(row[axis])) + half;
+            (middle - target[axis]).abs() < self.reach + half
+        })
     }
 }
 
 impl<B, T: Scalar> MovingLeastSquares<B, T> {
     #[inline(always)]
-    fn fit<S: Simd, F: Field<T>, const D: usize>(
+    fn fit<S: Simd, P: PointField<T, D>, const D: usize>(
         &self,
         simd: S,
         cloud: &Cloud<'_, T, D>,
         target: [T; D],
-        own: impl Fn([T::Four<S>; D]) -> T::Four<S>,
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F>
+        own: Own<impl Fn([T::Four<S>; D]) -> T::Four<S>, T>,
+        field: P,
+    ) -> Fit<P::Field>
     where
         B: PolynomialBasis<T, D>,
     {
         let mut system = B::System::<S>::empty(simd);
         if self.limiters.positivity.is_none() {
-            self.add_points::<S, F, D, false>(simd, cloud, target, own, field, &mut system);
+            self.add_points::<S, P, D, false>(simd, cloud, target, own, field, &mut system);
         } else {
-            self.add_points::<S, F, D, true>(simd, cloud, target, own, field, &mut system);
+            self.add_points::<S, P, D, true>(simd, cloud, target, own, field, &mut system);
         }
         system.solve(self.limiters)
     }
 
-    /// Four points of a run at a time; the last four are filled up with points of no weight.
+    /// Four points of a run at a time; beyond its end they have no weight.
     #[inline(always)]
-    fn add_points<S: Simd, F: Field<T>, const D: usize, const LIMITS: bool>(
+    fn add_points<S: Simd, P: PointField<T, D>, const D: usize, const LIMITS: bool>(
         &self,
         simd: S,
         cloud: &Cloud<'_, T, D>,
         target: [T; D],
-        own: impl Fn([T::Four<S>; D]) -> T::Four<S>,
-        field: impl Fn(usize) -> F,
+        own: Own<impl Fn([T::Four<S>; D]) -> T::Four<S>, T>,
+        field: P,
         system: &mut B::System<S>,
     ) where
         B: PolynomialBasis<T, D>,
     {
-        const { assert!(F::COMPONENTS <= MAX_COMPONENTS, "a field with too many components") };
+        const {
+            assert!(P::Field::COMPONENTS <= MAX_COMPONENTS, "a field with too many components");
+        };
         let one = splat(simd, T::one());
         let per_support = T::one() / self.support;
         let scale: [T; D] = std::array::from_fn(
             #[inline(always)]
             |axis| cloud.grid.inverse_spacing[axis] * per_support,
         );
+        let mut within = [T::zero(); 8];
+        within[..4].fill(T::one());
         let neighborhood = Neighborhood::around(cloud.grid, target, self.support);
         cloud.visit_runs(
             neighborhood,
             target,
             #[inline(always)]
-            |run, base| {
+            |run, base, row| {
                 // One product and one sum per coordinate: origin and target are taken together.
                 let mut shift = [one; D];
                 for axis in 0..D {
                     let corner = cloud.grid.origin[axis] * scale[axis];
                     shift[axis] = splat(simd, base[axis] * per_support - corner);
                 }
-                let mut first = run.start;
-                while first < run.end {
-                    let left = run.end - first;
-                    let quad = Quad::first_of(simd, cloud.position, &field, first..run.end);
+                let is_own = LIMITS && own.has_row(row, target);
+                let points = field.run(cloud, run.start as usize..run.end as usize);
+                let (mut first, end) = (0, run.len());
+                while first < end {
+                    let quad = field.quad(simd, &points, first);
                     let mut offset = quad.position;
                     let mut phi = one;
                     for axis in 0..D {
@@ -197,18 +142,15 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
                         let along = weights::<T, S>(simd, offset[axis]);
                         phi = if axis == 0 { along } else { phi * along };
                     }
-                    if left < 4 {
-                        let mut within = [T::zero(); 4];
-                        within[..left as usize].fill(T::one());
-                        phi *= load(simd, &within);
-                    }
+                    let skipped = 4 - (end - first).min(4);
+                    phi *= T::Four::<S>::from_slice(simd, &within[skipped..skipped + 4]);
                     let values = B::values(one, offset);
-                    system.add(phi, &values, &quad.components[..F::COMPONENTS]);
-                    if LIMITS {
+                    system.add(phi, &values, &quad.components[..P::Field::COMPONENTS]);
+                    if is_own {
                         for axis in 0..D {
                             offset[axis] *= splat(simd, self.support);
                         }
-                        system.add_own(phi, &values, own(offset));
+                        system.add_own(phi, &values, (own.weight)(offset));
                     }
                     first += 4;
                 }
@@ -239,58 +181,51 @@ where
 
     /// Own points are those of the cell.
     #[inline(always)]
-    fn fit_center<S: Simd, F: Field<T>>(
+    fn fit_center<S: Simd, P: PointField<T, D>>(
         &self,
         simd: S,
         cloud: &Cloud<'_, T, D>,
         cell: [usize; D],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F> {
+        field: P,
+    ) -> Fit<P::Field> {
         let target = cell.map(|c| T::from_index(c) + T::lit(0.5));
-        self.fit(
-            simd,
-            cloud,
-            target,
+        let half = T::lit(0.5);
+        let (zero, one) = (splat(simd, T::zero()), splat(simd, T::one()));
+        let own = Own::within(
+            half,
             #[inline(always)]
-            |offset| {
-                let mut own = [T::one(); 4];
+            |offset: [T::Four<S>; D]| {
+                let mut own = one;
                 for distance in offset {
-                    let distance = distance.abs().to_array();
-                    for lane in 0..4 {
-                        if !(distance[lane] <= T::lit(0.5)) {
-                            own[lane] = T::zero();
-                        }
-                    }
+                    own = distance.abs().simd_le(splat(simd, half)).select(own, zero);
                 }
-                load(simd, &own)
+                own
             },
-            field,
-        )
+        );
+        self.fit(simd, cloud, target, own, field)
     }
 
     /// Points belong to a node by their hat weight.
     #[inline(always)]
-    fn fit_node<S: Simd, F: Field<T>>(
+    fn fit_node<S: Simd, P: PointField<T, D>>(
         &self,
         simd: S,
         cloud: &Cloud<'_, T, D>,
         node: [T; D],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F> {
+        field: P,
+    ) -> Fit<P::Field> {
         let (zero, one) = (splat(simd, T::zero()), splat(simd, T::one()));
-        self.fit(
-            simd,
-            cloud,
-            node,
+        let own = Own::within(
+            T::one(),
             #[inline(always)]
-            |offset| {
+            |offset: [T::Four<S>; D]| {
                 let mut hat = one;
                 for distance in offset {
                     hat *= (one - distance.abs()).max(zero);
                 }
                 hat
             },
-            field,
-        )
+        );
+        self.fit(simd, cloud, node, own, field)
     }
 }

@@ -1,6 +1,6 @@
 //! Cell values: density, pressure and state of the material at centres, and the divergence of each cell.
 
-use super::{CELL_GRAIN, StateOf, View};
+use super::{CELL_GRAIN, StateOf, View, centers_read};
 use crate::Scalar;
 use crate::basis::Fit;
 use crate::cells::{CellKind, Cells};
@@ -117,13 +117,8 @@ where
 {
     let particles = view.particles;
     let cell = view.grid.cell_coordinates(view.cells.index[slot]);
-    let fit = view.method.reconstruction().fit_center(
-        simd,
-        &view.cloud(),
-        cell,
-        #[inline(always)]
-        |point| (Value(particles.density[point]), particles.state[point]),
-    );
+    let reconstruction = view.method.reconstruction();
+    let fit = reconstruction.fit_center(simd, &view.cloud(), cell, centers_read(view));
     counters.count_fit(&fit);
     let (Value(density), state) = fit.value().unwrap_or_else(|| {
         // The cell's own points all lie where the weight is zero: take the first of them.

@@ -2,6 +2,7 @@
 
 mod cell_divergence;
 mod centers;
+mod columns;
 mod gather;
 mod grid_to_particles;
 mod limit_pressure;
@@ -14,6 +15,7 @@ mod stretch;
 mod update_grid;
 
 pub use centers::{CellSamples, Center, divergence, rebuild_centers};
+pub use columns::{centers_read, gather_columns, nodes_read};
 pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
 pub use limit_pressure::{CellMean, limit_pressure};
 pub use node_velocity::{node_velocity, transfer_velocity};
@@ -30,7 +32,7 @@ use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
 use crate::particles::Particles;
-use crate::reconstruction::Cloud;
+use crate::reconstruction::{Cloud, Columns};
 use crate::scene::Boundary;
 use crate::transfer::Transfer;
 
@@ -39,6 +41,9 @@ pub const CELL_GRAIN: usize = 256;
 
 /// Nodes per task.
 pub const NODE_GRAIN: usize = 1024;
+
+/// Cells or nodes per task where a field is fitted to each.
+pub const FIT_GRAIN: usize = 256;
 
 /// The affine field that a method's points carry.
 pub type AffineOf<T, const D: usize, M> = <<M as Method<T, D>>::Transfer as Transfer<T, D>>::Affine;
@@ -100,6 +105,8 @@ where
     pub cells: &'a Cells,
     /// Sorted points.
     pub particles: &'a ParticlesOf<T, D, M, K>,
+    /// What fits read of them, see [`gather_columns`].
+    pub columns: &'a Columns<T>,
 }
 
 impl<T, const D: usize, M, K> View<'_, T, D, M, K>

@@ -1,6 +1,6 @@
 //! Node velocities from the points.
 
-use super::{NODE_GRAIN, View};
+use super::{FIT_GRAIN, NODE_GRAIN, View, nodes_read};
 use crate::Scalar;
 use crate::cells::CellKind;
 use crate::material::Material;
@@ -62,7 +62,7 @@ where
             counters
         })
     };
-    fold_blocks(index.len(), NODE_GRAIN, velocity, &|node| node, &work, &Counters::sum)
+    fold_blocks(index.len(), FIT_GRAIN, velocity, &|node| node, &work, &Counters::sum)
 }
 
 #[inline(always)]
@@ -84,21 +84,8 @@ where
         let (n, periodic) = (view.grid.n_cells[axis], view.grid.periodic[axis]);
         at[axis] = shape.node_coordinate(node[axis], n, periodic);
     }
-    let p = view.particles;
-    let fit = view.method.reconstruction().fit_node(
-        simd,
-        &view.cloud(),
-        at,
-        #[inline(always)]
-        |point| {
-            let density = p.density[point];
-            let mut momentum = p.velocity[point];
-            for axis in 0..D {
-                momentum[axis] *= density;
-            }
-            (Vector(momentum), Value(density))
-        },
-    );
+    let reconstruction = view.method.reconstruction();
+    let fit = reconstruction.fit_node(simd, &view.cloud(), at, nodes_read(view));
     counters.count_fit(&fit);
     let (Vector(momentum), Value(density)) = fit.value()?;
     let mut row = widen(momentum);

@@ -5,9 +5,9 @@ use transpoint::basis::{self, Fit};
 use transpoint::cells::CellKind;
 use transpoint::equation_of_state::EquationOfState;
 use transpoint::material::{Deviatoric, General, GeneralState, Material, Strain, Work};
-use transpoint::math::{Field, Tensor};
+use transpoint::math::Tensor;
 use transpoint::quadrature::{PointVolumes, Quadrature, Samples};
-use transpoint::reconstruction::{Cloud, MovingLeastSquares, Reconstruction};
+use transpoint::reconstruction::{Cloud, MovingLeastSquares, PointField, Reconstruction};
 use transpoint::shape::{AxisPosition, Linear, QuadraticBspline, Row, ShapeFunction};
 use transpoint::transfer::{Apic, Transfer};
 
@@ -54,23 +54,23 @@ impl Reconstruction<f64, 2> for DroppedTerms {
         1.0
     }
 
-    fn fit_center<S: Simd, F: Field<f64>>(
+    fn fit_center<S: Simd, P: PointField<f64, 2>>(
         &self,
         simd: S,
         cloud: &Cloud<'_, f64, 2>,
         cell: [usize; 2],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F> {
+        field: P,
+    ) -> Fit<P::Field> {
         MovingLeastSquares::<basis::Constant, f64>::new(1.0).fit_center(simd, cloud, cell, field)
     }
 
-    fn fit_node<S: Simd, F: Field<f64>>(
+    fn fit_node<S: Simd, P: PointField<f64, 2>>(
         &self,
         simd: S,
         cloud: &Cloud<'_, f64, 2>,
         node: [f64; 2],
-        field: impl Fn(usize) -> F,
-    ) -> Fit<F> {
+        field: P,
+    ) -> Fit<P::Field> {
         MovingLeastSquares::<basis::Constant, f64>::new(1.0).fit_node(simd, cloud, node, field)
     }
 }

@@ -44,6 +44,8 @@ fn claims(records: &[RunRecord]) -> Vec<Claim> {
     };
     let saved = 100.0 * (1.0 - updates(Difference::FillReduce) / updates(Difference::Fill));
     let (fill, reduce) = (Difference::Fill, Difference::FillReduce);
+    let (quarters, budget, share) =
+        (Difference::FillQuarters, Difference::FillBudget, Difference::FillShare);
     vec![
         ("water at the probe (Fig. 13)", "1.24", dense("water", "wetting")),
         ("second peak at the probe (Fig. 13)", "3.1", dense("p-160mm", "second-peak-time")),
@@ -70,6 +72,24 @@ fn claims(records: &[RunRecord]) -> Vec<Claim> {
             coarse(reduce, "points", "growth"),
         ),
         ("with N_m = 4: work saved, %", "15 (time)", saved),
+        (
+            "four points per fracture: most fractures at written instants",
+            "-",
+            coarse(Difference::FillQuarters, "fractures", "most"),
+        ),
+        ("four points per fracture: rebound over that of Fig. 14", "-", rebound(quarters)),
+        (
+            "fills that create at most 2 % of the mass: most fractures",
+            "-",
+            coarse(Difference::FillBudget, "fractures", "most"),
+        ),
+        ("fills that create at most 2 % of the mass: rebound", "-", rebound(budget)),
+        (
+            "β = 0.9 in place of empty neighbours (Sect. 2.3), filled: end of the run",
+            "-",
+            coarse(share, "run", "end"),
+        ),
+        ("β = 0.9, filled: rebound over that of Fig. 14", "-", rebound(share)),
         (
             "MPM, one point per cell: fractures without splitting (Fig. 18)",
             "severe",
