@@ -18,6 +18,8 @@ mod results;
 mod runs;
 mod scene;
 mod stream;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 

@@ -13,7 +13,7 @@
 //! without filling; `blow`, a start with the jet alone, which hits the plate; `whole`, both halves; `near`
 //! and `far`, the inlet at 1.5 b and 4.5 b instead of 3 b from the plate.
 //!
-//! Rows over 8 < T < 16: `force`, ∫ p dx over the plate by the points in the cells on it, over ρ U² b, which is
+//! Rows over 6 < T < 12: `force`, ∫ p dx over the plate by the points in the cells on it, over ρ U² b, which is
 //! what is checked; `force-by-momentum`, the flux of momentum through the layer of cells at 1.5 b above the plate,
 //! which equals it in a steady flow; `stagnation`, the pressure in the cell on the axis; `wall-pressure`,
 //! the L2 norm of the mean pressure minus the exact one over |x| ≤ 3 b, relative to that of the exact one;
@@ -27,6 +27,8 @@ mod plate;
 mod results;
 mod runs;
 mod scene;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 

@@ -22,7 +22,7 @@ pub(super) const SMOOTH: f64 = 1.0;
 /// The flow is steady when the running mean of the ratio stays this close to the mean.
 const STEADY: f64 = 0.02;
 /// Distances upstream of the brink at which depths are rows, y_c.
-pub(super) const STATIONS: [usize; 6] = [1, 2, 3, 4, 5, 6];
+pub(super) const STATIONS: [usize; 5] = [1, 2, 3, 4, 5];
 /// The one of them at which the pressure on the bed is sampled.
 const PRESSURE_STATION: usize = 3;
 /// Mean kinetic energy over g y_c at which a run counts as blown up.

@@ -77,6 +77,8 @@ const COLUMNS: [(&str, &str, &str); 11] = [
     ("run", "end", "end T"),
 ];
 
+const COUNTERS: [&str; 2] = ["n_points_filled", "n_pressure_cutoffs"];
+
 fn measures(records: &[RunRecord], policy: &str) -> Table {
     let mut sorted: Vec<&RunRecord> = records.iter().collect();
     sorted.sort_by_key(|record| {
@@ -98,6 +100,9 @@ fn measures(records: &[RunRecord], policy: &str) -> Table {
                 Cell::Decimal(value(record, &format!("upstream-{station}"), "depth"))
             }),
         );
+        row.extend(
+            COUNTERS.map(|name| Cell::Count(record.counters.get(name).copied().unwrap_or(0))),
+        );
         row
     };
     let mut columns: Vec<String> =
@@ -108,9 +113,10 @@ fn measures(records: &[RunRecord], policy: &str) -> Table {
     let note = format!(
         "Means over the last {WINDOW} T. Depths over y_c: volume of the points in the columns of cells \
          beside the place over their width. Highest point over the bed at the brink over y_c. Bed pressure \
-         3 y_c upstream over ρ₀ g y_c. Discharge at the brink over q, inflow over ρ₀ q, mass over ρ₀ y_c². Noise: root mean square of raw minus running \
-         mean over 1 T; drift: second half of the window minus first. Reference: brink depth {RATIO} y_c \
-         [Rouse1936]. {policy}"
+         3 y_c upstream over ρ₀ g y_c. Discharge at the brink over q, inflow over ρ₀ q (water under its own \
+         weight is denser than ρ₀ by half a percent), mass over ρ₀ y_c². Noise: root mean square of raw \
+         minus running mean over 1 T; drift: second half of the window minus first. Reference: brink \
+         depth {RATIO} y_c [Rouse1936]. {policy}"
     );
     Table { columns, rows: sorted.into_iter().map(row).collect(), note }
 }

@@ -71,8 +71,8 @@ pub(super) fn settings(run: &Run) -> Settings {
 /// One line of settings for the notes of tables.
 pub(super) fn text() -> String {
     format!(
-        "{} tpm-vp2: {FILL:?}. p ≥ −ρ₀ g y_c. y_c = 0.1 m, g = 9.81 m/s², ρ₀ = 1000 kg/m³, c₀ = 10 √(g y_c), 2 × 2 points per cell; the bed ends \
-         6 y_c behind the inlet.",
+        "{} tpm-vp2: {FILL:?}. p ≥ −ρ₀ g y_c. y_c = 0.1 m, g = 9.81 m/s², ρ₀ = 1000 kg/m³, \
+         c₀ = 10 √(g y_c), 2 × 2 points per cell; the bed ends 6 y_c behind the inlet.",
         free_surface::text("mpm-vp, gimp-vp")
     )
 }

@@ -120,8 +120,8 @@ pub(super) fn convergence(records: &[RunRecord]) -> Figure {
             })
         });
         panels.push(Panel {
-            title: "means over 8 < T < 16".to_owned(),
-            x: Axis::log("cell size h, m").with_ticks([0.003125, 0.00625, 0.0125]),
+            title: "means over 6 < T < 12".to_owned(),
+            x: Axis::log("cell size h, m").with_ticks([0.003125, 0.00625, 0.0125, 0.025]),
             y: Axis::log(label),
             legend: "run (order)".to_owned(),
             curves: curves.collect(),
@@ -162,7 +162,8 @@ fn pairs(record: &RunRecord, name: &str) -> Vec<(f64, f64)> {
 
 /// Pictures of the pressure at the end, with the exact free surface.
 pub(super) fn maps(records: &[RunRecord]) -> MapFigure {
-    let level = levels(records).max().unwrap_or(0);
+    // The level at which most runs are.
+    let level = levels(records).find(|&level| level == 1).or(levels(records).max()).unwrap_or(0);
     let [(_, methods), (_, layouts)] = groups(records, level);
     let others = layouts.into_iter().filter(|(record, ..)| record.spec.layout != "half");
     let mut panels = Vec::new();

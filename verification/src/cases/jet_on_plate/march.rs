@@ -13,8 +13,8 @@ use crate::progress::Progress;
 /// T between samples.
 const INTERVAL: f64 = 0.02;
 /// T at the end, and from when on means are taken.
-pub(super) const END: f64 = 16.0;
-pub(super) const FROM: f64 = 8.0;
+pub(super) const END: f64 = 12.0;
+pub(super) const FROM: f64 = 6.0;
 /// Width of running means, T.
 pub(super) const SMOOTH: f64 = 1.0;
 /// The flow is steady when the running mean of the force stays this close to the mean, ρ U² b.
@@ -24,7 +24,7 @@ const NORM_REACH: f64 = 3.0;
 /// Mean kinetic energy over ½ U² at which a run counts as blown up.
 pub(super) const MOST_ENERGY: f64 = 4.0;
 /// Ends of the scale of pressures in pictures, ½ ρ U².
-const PRESSURES: [f64; 2] = [0.0, 1.0];
+const PRESSURES: [f64; 2] = [-0.2, 1.2];
 
 /// What was sampled of a run.
 #[derive(Clone, Debug, Default)]

@@ -9,7 +9,7 @@ use crate::case::Tier;
 use crate::cases::free_surface::{self, FILL};
 
 /// Cells across the jet, by level.
-pub(super) const CELLS: [usize; 3] = [8, 16, 32];
+pub(super) const CELLS: [usize; 4] = [4, 8, 16, 32];
 /// Distance of the inlet from the plate, b, unless it is varied.
 const DISTANCE: f64 = 3.0;
 
@@ -53,8 +53,8 @@ const fn columns(level: usize, tier: Tier) -> Run {
     Run { layout: "columns", supply: Supply::Columns, ..half(TPM, level, tier) }
 }
 
-const fn unfilled(level: usize, tier: Tier) -> Run {
-    Run { layout: "unfilled", fill: false, ..half(TPM, level, tier) }
+const fn unfilled(level: usize) -> Run {
+    Run { layout: "unfilled", fill: false, ..half(TPM, level, Tier::Paper) }
 }
 
 const fn at_distance(layout: &'static str, distance: f64) -> Run {
@@ -62,10 +62,16 @@ const fn at_distance(layout: &'static str, distance: f64) -> Run {
 }
 
 /// Every run, the longest first.
-pub(super) static RUNS: [Run; 28] = [
-    half(TPM, 2, Tier::Full),
+pub(super) static RUNS: [Run; 33] = [
+    half(TPM, 3, Tier::Full),
+    columns(3, Tier::Full),
+    half(Variant::TpmVpConstant, 3, Tier::Full),
+    half(Variant::GimpVp, 3, Tier::Full),
+    half(Variant::MpmVp, 3, Tier::Full),
+    half(Variant::Bspline2, 3, Tier::Full),
+    half(Variant::Apic, 3, Tier::Full),
+    half(TPM, 2, Tier::Paper),
     columns(2, Tier::Full),
-    unfilled(2, Tier::Full),
     half(Variant::TpmVpConstant, 2, Tier::Full),
     half(Variant::GimpVp, 2, Tier::Full),
     half(Variant::MpmVp, 2, Tier::Full),
@@ -76,21 +82,20 @@ pub(super) static RUNS: [Run; 28] = [
     half(TPM, 1, Tier::Paper),
     Run { layout: "blow", start: Start::Blow, ..half(TPM, 1, Tier::Paper) },
     columns(1, Tier::Paper),
-    unfilled(1, Tier::Paper),
+    unfilled(1),
     half(Variant::TpmVpConstant, 1, Tier::Paper),
     half(Variant::GimpVp, 1, Tier::Paper),
     half(Variant::MpmVp, 1, Tier::Paper),
     half(Variant::Bspline2, 1, Tier::Paper),
     half(Variant::Apic, 1, Tier::Paper),
     at_distance("near", 1.5),
+    half(TPM, 0, Tier::Smoke),
     columns(0, Tier::Paper),
-    unfilled(0, Tier::Paper),
     half(Variant::TpmVpConstant, 0, Tier::Paper),
+    half(Variant::GimpVp, 0, Tier::Smoke),
     half(Variant::MpmVp, 0, Tier::Paper),
     half(Variant::Bspline2, 0, Tier::Paper),
     half(Variant::Apic, 0, Tier::Paper),
-    half(TPM, 0, Tier::Smoke),
-    half(Variant::GimpVp, 0, Tier::Smoke),
 ];
 
 /// Every method, in the order of legends.
@@ -123,8 +128,9 @@ pub(super) fn settings(run: &Run) -> Settings {
 /// One line of settings for the notes of tables.
 pub(super) fn text() -> String {
     format!(
-        "{} tpm-vp2 and tpm-vp0 but `unfilled`: {FILL:?}. p ≥ −½ ρ U². b = 0.1 m, U = 1 m/s, ρ₀ = 1000 kg/m³, c₀ = 10 U; 2 × 2 points per cell come \
-         in at {DISTANCE} b from the plate unless said otherwise.",
+        "{} tpm-vp2 and tpm-vp0 but `unfilled`: {FILL:?}. p ≥ −½ ρ U². b = 0.1 m, U = 1 m/s, \
+         ρ₀ = 1000 kg/m³, c₀ = 10 U; 4 × 4 points per cell come in at {DISTANCE} b from the plate unless \
+         said otherwise.",
         free_surface::text("mpm-vp, gimp-vp, bspline2")
     )
 }

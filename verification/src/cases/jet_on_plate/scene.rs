@@ -18,8 +18,8 @@ const SOUND: f64 = 10.0;
 pub(super) const SOUND_SPEED: f64 = SOUND * JET.speed;
 /// Distance of the open faces from the axis, b.
 pub(super) const REACH: usize = 4;
-/// Points per cell and axis.
-pub(super) const POINTS_PER_AXIS: usize = 2;
+/// Points per cell and axis, as in the dense dam break.
+pub(super) const POINTS_PER_AXIS: usize = 4;
 
 /// T = t U/b at a time t in s.
 pub(super) fn scaled_time(time: f64) -> f64 {
