@@ -5,16 +5,16 @@
 //! that has an exact answer. Times are T = t U/b.
 //!
 //! The box holds the exact flow at the start. Points follow hyperbolas past the stagnation point, so that the
-//! corner between axis and plate would run empty, a void as large as the square root of a point's
-//! distance times b: TPM fills such fractures.
+//! corner between axis and plate runs empty, a void as large as the square root of the distance of points times
+//! b: TPM fills such fractures. They open about T = 4 to 7, the later the finer the points.
 //!
 //! Layouts: `half`, one half of the jet beside a plane of symmetry, with points that slide in
-//! ([`Supply::Flux`]); `columns`, with the two columns of \[Song2020\] ([`Supply::Columns`]); `unfilled`,
-//! without filling; `blow`, a start with the jet alone, which hits the plate; `whole`, both halves; `near`
+//! ([`Supply::Flux`]); `columns`, with the two columns of \[Song2020\] ([`Supply::Columns`]); `shift`, points
+//! pushed apart as well; `unfilled`, without filling; `blow`, a start with the jet alone, which hits the plate; `whole`, both halves; `near`
 //! and `far`, the inlet at 1.5 b and 4.5 b instead of 3 b from the plate.
 //!
-//! Rows over 6 < T < 12: `force`, ∫ p dx over the plate by the points in the cells on it, over ρ U² b, which is
-//! what is checked; `force-by-momentum`, the flux of momentum through the layer of cells at 1.5 b above the plate,
+//! Rows over 6 < T < 12: `force`, ∫ p dx over the plate by the points in the cells on it, over ρ U² b;
+//! `force-by-momentum`, the flux of momentum through the layer of cells at 1.5 b above the plate,
 //! which equals it in a steady flow; `stagnation`, the pressure in the cell on the axis; `wall-pressure`,
 //! the L2 norm of the mean pressure minus the exact one over |x| ≤ 3 b, relative to that of the exact one;
 //! `dry-share`, how often a cell on the plate within b of the axis had no points. `noise` is the root mean

@@ -23,9 +23,10 @@ const MARKERS: usize = 12;
 const SHOWN: f64 = 0.2;
 
 /// Runs of the same flow: layout and what a reader calls it.
-const LAYOUTS: [(&str, &str); 7] = [
+const LAYOUTS: [(&str, &str); 8] = [
     ("half", "tpm-vp2"),
     ("columns", "two columns"),
+    ("shift", "pushed apart"),
     ("unfilled", "not filled"),
     ("blow", "start with a blow"),
     ("whole", "whole jet"),
@@ -101,7 +102,7 @@ pub(super) fn convergence(records: &[RunRecord]) -> Figure {
         ("force", "error", "error of the force |F/(ρ U² b) − 1|"),
     ] {
         let methods = VARIANTS.iter().map(|variant| (variant.name(), "half", variant.name()));
-        let layouts = LAYOUTS[1..3].iter().map(|&(layout, label)| ("tpm-vp2", layout, label));
+        let layouts = LAYOUTS[1..4].iter().map(|&(layout, label)| ("tpm-vp2", layout, label));
         let shown = methods.chain(layouts).enumerate();
         let curves = shown.filter_map(|(index, (variant, layout, label))| {
             let series = all.iter().find(|series| {

@@ -1,7 +1,7 @@
 //! The runs, and the settings of each.
 
 use transpoint::scene::Supply;
-use transpoint::variants::{Rearrangement, StressUpdate};
+use transpoint::variants::{Rearrangement, Shift, StressUpdate};
 use transpoint::{Settings, Variant};
 
 use super::scene::{JET, POINTS_PER_AXIS, SOUND_SPEED, Start};
@@ -10,6 +10,8 @@ use crate::cases::free_surface::{self, FILL};
 
 /// Cells across the jet, by level.
 pub(super) const CELLS: [usize; 4] = [4, 8, 16, 32];
+/// How points are pushed apart.
+const SHIFT: Shift = Shift { strength: 0.2, interval: 10 };
 /// Distance of the inlet from the plate, b, unless it is varied.
 const DISTANCE: f64 = 3.0;
 
@@ -22,6 +24,8 @@ pub(super) struct Run {
     pub(super) supply: Supply,
     /// Whether numerical fractures are filled, where the method can.
     pub(super) fill: bool,
+    /// Whether points are pushed apart, where the method can.
+    pub(super) shift: bool,
     pub(super) start: Start,
     /// Whether both halves of the jet are there.
     pub(super) whole: bool,
@@ -39,6 +43,7 @@ const fn half(variant: Variant, level: usize, tier: Tier) -> Run {
         layout: "half",
         supply: Supply::Flux,
         fill: true,
+        shift: false,
         start: Start::Exact,
         whole: false,
         distance: DISTANCE,
@@ -53,6 +58,10 @@ const fn columns(level: usize, tier: Tier) -> Run {
     Run { layout: "columns", supply: Supply::Columns, ..half(TPM, level, tier) }
 }
 
+const fn shifted(level: usize) -> Run {
+    Run { layout: "shift", shift: true, ..half(TPM, level, Tier::Paper) }
+}
+
 const fn unfilled(level: usize) -> Run {
     Run { layout: "unfilled", fill: false, ..half(TPM, level, Tier::Paper) }
 }
@@ -62,7 +71,7 @@ const fn at_distance(layout: &'static str, distance: f64) -> Run {
 }
 
 /// Every run, the longest first.
-pub(super) static RUNS: [Run; 33] = [
+pub(super) static RUNS: [Run; 36] = [
     half(TPM, 3, Tier::Full),
     columns(3, Tier::Full),
     half(Variant::TpmVpConstant, 3, Tier::Full),
@@ -71,6 +80,7 @@ pub(super) static RUNS: [Run; 33] = [
     half(Variant::Bspline2, 3, Tier::Full),
     half(Variant::Apic, 3, Tier::Full),
     half(TPM, 2, Tier::Paper),
+    shifted(2),
     columns(2, Tier::Full),
     half(Variant::TpmVpConstant, 2, Tier::Full),
     half(Variant::GimpVp, 2, Tier::Full),
@@ -83,6 +93,7 @@ pub(super) static RUNS: [Run; 33] = [
     Run { layout: "blow", start: Start::Blow, ..half(TPM, 1, Tier::Paper) },
     columns(1, Tier::Paper),
     unfilled(1),
+    shifted(1),
     half(Variant::TpmVpConstant, 1, Tier::Paper),
     half(Variant::GimpVp, 1, Tier::Paper),
     half(Variant::MpmVp, 1, Tier::Paper),
@@ -91,6 +102,7 @@ pub(super) static RUNS: [Run; 33] = [
     at_distance("near", 1.5),
     half(TPM, 0, Tier::Smoke),
     columns(0, Tier::Paper),
+    shifted(0),
     half(Variant::TpmVpConstant, 0, Tier::Paper),
     half(Variant::GimpVp, 0, Tier::Smoke),
     half(Variant::MpmVp, 0, Tier::Paper),
@@ -117,10 +129,14 @@ pub(super) fn spacing(level: usize) -> f64 {
 pub(super) fn settings(run: &Run) -> Settings {
     let modified = free_surface::is_modified_last(run.variant);
     let reconstructs = matches!(run.variant, TPM | Variant::TpmVpConstant);
-    let filled = Rearrangement { fill: Some(FILL), ..Rearrangement::default() };
+    let rearrangement = Rearrangement {
+        fill: run.fill.then_some(FILL),
+        shift: run.shift.then_some(SHIFT),
+        ..Rearrangement::default()
+    };
     Settings {
         stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
-        rearrangement: (run.fill && reconstructs).then_some(filled),
+        rearrangement: reconstructs.then_some(rearrangement),
         ..free_surface::settings(POINTS_PER_AXIS, spacing(run.level), SOUND_SPEED)
     }
 }
@@ -128,7 +144,7 @@ pub(super) fn settings(run: &Run) -> Settings {
 /// One line of settings for the notes of tables.
 pub(super) fn text() -> String {
     format!(
-        "{} tpm-vp2 and tpm-vp0 but `unfilled`: {FILL:?}. p ≥ −½ ρ U². b = 0.1 m, U = 1 m/s, \
+        "{} tpm-vp2 and tpm-vp0 but `unfilled`: {FILL:?}; `shift`: {SHIFT:?}. p ≥ −½ ρ U². b = 0.1 m, U = 1 m/s, \
          ρ₀ = 1000 kg/m³, c₀ = 10 U; 4 × 4 points per cell come in at {DISTANCE} b from the plate unless \
          said otherwise.",
         free_surface::text("mpm-vp, gimp-vp, bspline2")
