@@ -178,10 +178,10 @@ mod tests {
     /// series of artanh and arctan inside of the disc, ζ = r e^{iα}, as r → 1.
     #[test]
     fn the_surface_is_the_edge_of_the_hodograph() {
-        let (alpha, r) = (0.9_f64, 1.0 - 1e-6);
+        let (alpha, r) = (0.9_f64, 1.0_f64 - 1e-5);
         let (mut x, mut y) = (0.0, 0.0);
         // artanh ζ + arctan ζ = 2 Σ ζ^{4n+1}/(4n+1).
-        let mut n = 1.0;
+        let mut n = 1.0_f64;
         while r.powf(n) > 1e-12 {
             let scale = 4.0 * JET.width / PI * r.powf(n) / n;
             x += scale * (n * alpha).cos();
@@ -189,7 +189,7 @@ mod tests {
             n += 4.0;
         }
         let [found_x, found_y] = JET.surface(alpha);
-        assert!((x - found_x).abs() < 1e-5 && (y - found_y).abs() < 1e-5, "{x} {y}");
+        assert!((x - found_x).abs() < 1e-4 && (y - found_y).abs() < 1e-4, "{x} {y}");
     }
 
     /// On the plate and on the axis the flow is the parametric one, beyond the surface there is none, and
