@@ -6,6 +6,7 @@ pub mod elastic_bar;
 pub mod hydrostatic_column;
 pub mod ideal_gas_riemann;
 pub mod isothermal_riemann;
+pub mod jet_on_plate;
 pub mod linear_riemann;
 pub mod loaded_column;
 mod quadrature;

@@ -1,29 +1,16 @@
 //! The one policy of all runs, and the runs: every constant that could be chosen otherwise.
 
 use transpoint::variants::{
-    Blend, BoundaryCriterion, Fill, FillMass, FillPoints, PointVolume, Rearrangement, Split,
-    StressUpdate,
+    BoundaryCriterion, Fill, FillMass, FillPoints, Rearrangement, Split, StressUpdate,
 };
 use transpoint::{Settings, Variant};
 
 use super::scene::{SOUND_SPEED, Shape};
 use crate::case::Tier;
+use crate::cases::free_surface::{self, FILL};
 
-/// c₀ τ/h of the relaxation towards PIC: a share of 3 % per step at the Courant number here.
-const RELAXATION: f64 = 12.0;
-/// θ of the positivity limiter.
-const POSITIVITY: f64 = 0.8;
-/// Λ of the limiter of the leverage.
-const LEVERAGE: f64 = 16.0;
-/// Share of the stable time step. At 0.7, just below the 1/√2 that a stress updated last keeps at worst, `gimp-vp`
-/// with that update bursts at T = 0.88 in place of 2.18, `tpm` at 0.08 in place of 0.27.
-pub(super) const COURANT: f64 = 0.5;
-/// Steps after which the stable time step is found anew: sound sets it, which does not change.
-pub(super) const STEPS_PER_TIME_STEP: u64 = 10;
 /// Total energy over that at the start at which a run counts as blown up.
 pub(super) const MOST_ENERGY: f64 = 2.0;
-/// What is put into a numerical fracture: one point, with mass from its neighbours.
-const FILL: Fill = Fill { points: FillPoints::Center, mass: FillMass::Donated };
 /// Most mass that fills create where they may, over that at the start.
 const BUDGET: f64 = 0.02;
 /// β of the rival criterion of boundary cells.
@@ -191,14 +178,8 @@ pub(super) const VARIANTS: [Variant; 5] = [
 
 /// Settings of a run.
 pub(super) fn settings(run: &Run) -> Settings {
-    let printed = Settings {
-        // The length of a point at the start.
-        gimp_length: 1.0 / run.points_per_axis as f64,
-        support: if run.points_per_axis == 1 { 1.5 } else { 1.0 },
-        ..Settings::default()
-    };
     if run.difference == Difference::Printed {
-        return printed;
+        return free_surface::plain(run.points_per_axis);
     }
     let modified = matches!(
         run.difference,
@@ -206,30 +187,24 @@ pub(super) fn settings(run: &Run) -> Settings {
     );
     Settings {
         stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
-        blend: Blend::RelaxationTime(RELAXATION * run.spacing / SOUND_SPEED),
-        positivity: Some(POSITIVITY),
-        leverage: Some(LEVERAGE),
-        point_volume: PointVolume::CellCenter,
         boundary_criterion: match run.difference {
             Difference::FillShare => BoundaryCriterion::VolumeShare(LEAST_SHARE),
             _ => printed.boundary_criterion,
         },
         rearrangement: run.difference.rearrangement(),
-        ..printed
+        ..free_surface::settings(run.points_per_axis, run.spacing, SOUND_SPEED)
     }
 }
 
 /// One line of settings for the notes of tables.
 pub(super) fn text() -> String {
     format!(
-        "All runs but `printed`: FLIP with the share 1 − Δt/τ, τ = {RELAXATION} h/c₀; stress updated \
-         last (`musl` and the splitting runs: modified-last); Δt = {COURANT} of the stable one; moving \
-         least squares over 1 cell (1.5 with one point per cell), positivity θ = {POSITIVITY}, leverage \
-         Λ = {LEVERAGE}; one sample per cut cell that carries all of its points. `printed`: \
+        "All runs but `printed`: {} `printed`: \
          FLIP, circles, no limiter. `fill`: {FILL:?}; `fill-reduce`: with N_m = {MOST_POINTS}; \
          `fill-quarters`: four points per fracture; `fill-budget`: mass created, at most {BUDGET} of that at \
          the start; `fill-beta`: a boundary cell is one that its points fill to less than β = {LEAST_SHARE}; \
          splitting: α = {SPLIT}. c₀ = 50 m/s, p ≥ −5000 Pa, hydrostatic at the start. A run whose \
-         total energy exceeds {MOST_ENERGY} times that at the start has blown up."
+         total energy exceeds {MOST_ENERGY} times that at the start has blown up.",
+        free_surface::text("`musl` and the splitting runs")
     )
 }

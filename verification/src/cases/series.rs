@@ -1,6 +1,6 @@
-//! Measures of curves over T.
+//! Measures of histories: curves over time.
 
-/// A curve: T and values, T ascending.
+/// A curve: times and values, times ascending.
 pub(super) type Curve = [(f64, f64)];
 
 /// How far a curve may end before a range and still cover it.
@@ -16,7 +16,7 @@ pub(super) fn within(curve: &Curve, from: f64, to: f64) -> &Curve {
     &curve[begin..end]
 }
 
-/// ∫ dT over a range by the trapezoidal rule; not a number where the curve does not cover it.
+/// ∫ dt over a range by the trapezoidal rule; not a number where the curve does not cover it.
 pub(super) fn impulse(curve: &Curve, from: f64, to: f64) -> f64 {
     let part = within(curve, from, to);
     if part.len() < 2 {
@@ -57,7 +57,7 @@ pub(super) fn largest(curve: &Curve, from: f64, to: f64) -> (f64, f64) {
     part.reduce(|a, b| if b.1 > a.1 { b } else { a }).unwrap_or((f64::NAN, f64::NAN))
 }
 
-/// The first T from `from` on at which a curve exceeds a value.
+/// The first time from `from` on at which a curve exceeds a value.
 pub(super) fn first_above(curve: &Curve, from: f64, value: f64) -> f64 {
     let found = curve.iter().find(|point| point.0 >= from && point.1 > value);
     found.map_or(f64::NAN, |point| point.0)
