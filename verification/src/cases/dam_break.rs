@@ -30,7 +30,6 @@ mod policy;
 mod probe;
 mod results;
 mod scene;
-mod series;
 mod slab;
 mod state;
 mod tables;

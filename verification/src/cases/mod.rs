@@ -1,14 +1,18 @@
 //! The studies: one file each, one line each in the list; and what several of them share.
 
 pub mod acoustic_pulse;
+pub mod channel;
 pub mod column;
 pub mod dam_break;
 pub mod elastic_bar;
 pub mod errors;
+pub mod fluid_cells;
+pub mod free_surface;
 pub mod lattice;
 pub mod march;
 pub mod operators;
 pub mod riemann;
+pub mod series;
 pub mod shear_startup;
 pub mod sine_wave;
 pub mod sod;
@@ -17,10 +21,11 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 10] = [
+pub static ALL: [&dyn Case; 11] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
+    &channel::Channel,
     &sod::Sod,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,

@@ -3,8 +3,8 @@
 use super::measure::SMOOTH;
 use super::outside;
 use super::policy::Difference;
-use super::series::running_mean;
 use crate::case::Profile;
+use crate::cases::series::running_mean;
 use crate::number::significant;
 use crate::record::RunRecord;
 use crate::report::axis::Axis;

@@ -6,12 +6,13 @@ use transpoint::rearrangement::{EventKind, EventSum};
 use transpoint::{InvalidInput, Scene, Simulation};
 
 use super::occupancy::Occupancy;
-use super::policy::{COURANT, MOST_ENERGY, STEPS_PER_TIME_STEP};
+use super::policy::MOST_ENERGY;
 use super::probe::{PLACES, Wall};
 use super::scene::{scaled_time, scene};
 use super::state::{COLUMNS, State};
 use super::{Parameters, measure};
 use crate::case::{Findings, Outcome, Profile, Raster};
+use crate::cases::free_surface::{COURANT, STEPS_PER_TIME_STEP};
 use crate::cases::march::counters;
 use crate::progress::Progress;
 

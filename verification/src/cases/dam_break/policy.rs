@@ -1,27 +1,18 @@
 //! The one policy of all runs, and the runs: every constant that could be chosen otherwise.
 
-use transpoint::variants::{
-    Blend, Fill, FillMass, FillPoints, PointVolume, Rearrangement, Split, StressUpdate,
-};
+use transpoint::variants::{Rearrangement, Split, StressUpdate};
 use transpoint::{Settings, Variant};
 
 use super::scene::{SOUND_SPEED, Shape};
 use crate::case::Tier;
+use crate::cases::free_surface::{
+    COURANT, FILL, LEVERAGE, POSITIVITY, printed, settings as shared,
+};
 
 /// c₀ τ/h of the relaxation towards PIC: a share of 3 % per step at the Courant number here.
 const RELAXATION: f64 = 12.0;
-/// θ of the positivity limiter.
-const POSITIVITY: f64 = 0.8;
-/// Λ of the limiter of the leverage.
-const LEVERAGE: f64 = 16.0;
-/// Share of the stable time step.
-pub(super) const COURANT: f64 = 0.5;
-/// Steps after which the stable time step is found anew: sound sets it, which does not change.
-pub(super) const STEPS_PER_TIME_STEP: u64 = 10;
 /// Total energy over that at the start at which a run counts as blown up.
 pub(super) const MOST_ENERGY: f64 = 2.0;
-/// What is put into a numerical fracture: one point, with mass from its neighbours.
-const FILL: Fill = Fill { points: FillPoints::Center, mass: FillMass::Donated };
 /// N_m.
 const MOST_POINTS: u32 = 4;
 /// α of the splitting.
@@ -170,14 +161,8 @@ pub(super) const VARIANTS: [Variant; 5] = [
 
 /// Settings of a run.
 pub(super) fn settings(run: &Run) -> Settings {
-    let printed = Settings {
-        // The length of a point at the start.
-        gimp_length: 1.0 / run.points_per_axis as f64,
-        support: if run.points_per_axis == 1 { 1.5 } else { 1.0 },
-        ..Settings::default()
-    };
     if run.difference == Difference::Printed {
-        return printed;
+        return printed(run.points_per_axis);
     }
     let modified = matches!(
         run.difference,
@@ -185,12 +170,8 @@ pub(super) fn settings(run: &Run) -> Settings {
     );
     Settings {
         stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
-        blend: Blend::RelaxationTime(RELAXATION * run.spacing / SOUND_SPEED),
-        positivity: Some(POSITIVITY),
-        leverage: Some(LEVERAGE),
-        point_volume: PointVolume::CellCenter,
         rearrangement: run.difference.rearrangement(),
-        ..printed
+        ..shared(run.points_per_axis, run.spacing, SOUND_SPEED, RELAXATION)
     }
 }
 

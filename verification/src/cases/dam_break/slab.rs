@@ -6,9 +6,9 @@ use transpoint::simulation::PointState;
 use transpoint::{InvalidInput, Scene, Simulation};
 
 use super::Parameters;
-use super::policy::COURANT;
 use super::scene::{COLUMN, DENSITY, GRAVITY, scene};
 use crate::case::{Findings, Outcome, Row};
+use crate::cases::free_surface::COURANT;
 use crate::cases::march::counters;
 use crate::number::decade_above;
 use crate::progress::Progress;

@@ -8,6 +8,7 @@ use super::scene::{COLUMN, DENSITY, GRAVITY, SOUND_SPEED, scaled_time, scene};
 use super::state::State;
 use super::*;
 use crate::case::{Outcome, Row};
+use crate::cases::series;
 use crate::machine::Manifest;
 
 fn value(rows: &[Row], quantity: &str, norm: &str) -> f64 {

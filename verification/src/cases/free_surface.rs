@@ -1,0 +1,45 @@
+//! The one policy of the cases with a free surface: every constant that could be chosen otherwise.
+
+use transpoint::Settings;
+use transpoint::variants::{Blend, Fill, FillMass, FillPoints, PointVolume};
+
+/// θ of the positivity limiter.
+pub const POSITIVITY: f64 = 0.8;
+/// Λ of the limiter of the leverage.
+pub const LEVERAGE: f64 = 16.0;
+/// Share of the stable time step.
+pub const COURANT: f64 = 0.5;
+/// Steps after which the stable time step is found anew: sound sets it, which does not change.
+pub const STEPS_PER_TIME_STEP: u64 = 10;
+/// What is put into a numerical fracture: one point, with mass from its neighbours.
+pub const FILL: Fill = Fill { points: FillPoints::Center, mass: FillMass::Donated };
+
+/// Settings of the methods as printed, for `points_per_axis` in each cell.
+pub fn printed(points_per_axis: usize) -> Settings {
+    Settings {
+        // The length of a point at the start.
+        gimp_length: 1.0 / points_per_axis as f64,
+        support: if points_per_axis == 1 { 1.5 } else { 1.0 },
+        ..Settings::default()
+    }
+}
+
+/// Settings of the policy, for cells of a size in m, a speed of sound in m/s, and `relaxation` c₀ τ/h
+/// towards PIC.
+///
+/// The relaxation damps shear like a viscosity of about h²/(6 τ) = h c₀/(6 · `relaxation`), so its time is
+/// that of a case and not of a method.
+pub fn settings(
+    points_per_axis: usize,
+    spacing: f64,
+    sound_speed: f64,
+    relaxation: f64,
+) -> Settings {
+    Settings {
+        blend: Blend::RelaxationTime(relaxation * spacing / sound_speed),
+        positivity: Some(POSITIVITY),
+        leverage: Some(LEVERAGE),
+        point_volume: PointVolume::CellCenter,
+        ..printed(points_per_axis)
+    }
+}
