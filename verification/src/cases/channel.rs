@@ -12,8 +12,7 @@
 //! dam break), `v0` the speed.
 //!
 //! Mass in the domain x ≥ 0, `mass`: Σ m of the points, each counted with the part of its square that lies
-//! beyond the inlet plane. `grid-mass`: mass on the nodes by the quadrature, minus the points' masses left of the
-//! plane. Rows of both: `slope`, the least-squares dm/dt until the first point reaches the end of the channel,
+//! beyond the inlet plane. `grid-mass`: mass on the nodes by the quadrature, minus that of the inlet's column. Rows of both: `slope`, the least-squares dm/dt until the first point reaches the end of the channel,
 //! over ρ₀ v₀ h_in; `deviation`, the largest distance from m(0) + ρ₀ v₀ h_in t in the same time over the mass at
 //! its end; `mass@t`, and `vof@t` over that of the volume-of-fluid run on 5 mm cells. `front`: `outlet` is when
 //! the first point leaves, `left` when 0.1 kg has left. `steady`: `since`, the first t from which on the mass

@@ -3,6 +3,10 @@
 use transpoint::Settings;
 use transpoint::variants::{Blend, Fill, FillMass, FillPoints, PointVolume};
 
+/// c₀ τ/h of the relaxation towards PIC where a flow of a few cells' depth must not be held up: its
+/// viscosity, about h c₀/1200, is then 0.3 % of h_in √(g h_in) in `channel` and below that of the water in
+/// `channel-vof`.
+pub const INFLOW_RELAXATION: f64 = 200.0;
 /// θ of the positivity limiter.
 pub const POSITIVITY: f64 = 0.8;
 /// Λ of the limiter of the leverage.

@@ -2,6 +2,7 @@
 
 pub mod acoustic_pulse;
 pub mod channel;
+pub mod channel_vof;
 pub mod column;
 pub mod dam_break;
 pub mod elastic_bar;
@@ -21,11 +22,12 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 11] = [
+pub static ALL: [&dyn Case; 12] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
     &channel::Channel,
+    &channel_vof::ChannelVof,
     &sod::Sod,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,

@@ -5,6 +5,7 @@ use super::measure::SURFACES;
 use super::outside;
 use super::results::{find, value};
 use crate::case::Profile;
+use crate::cases::series::running_mean;
 use crate::record::RunRecord;
 use crate::reference::channel::{VofSpacing, VofTotal, WaterColumn};
 use crate::report::axis::Axis;
@@ -19,22 +20,39 @@ const OUTLINE: usize = 0;
 /// Markers along a curve.
 const MARKERS: usize = 10;
 
-/// Runs of one inlet: variant, run and colour.
-const SHOWN: [(&str, &str, usize); 9] = [
-    ("tpm-vp2", "columns", 0),
-    ("tpm-vp2", "flux", 1),
-    ("tpm-vp2", "flux-outflow", 8),
-    ("tpm-vp2", "flux-damped", 5),
-    ("tpm-vp0", "columns", 12),
-    ("tpm-vp0", "flux", 6),
-    ("mpm-vp", "flux", 3),
-    ("gimp-vp", "flux", 4),
-    ("apic", "flux", 11),
+/// Width of the running mean of depths, m.
+const SMOOTH: f64 = 0.1;
+
+/// A curve of a group: variant, run, label and colour.
+type Shown = (&'static str, &'static str, &'static str, usize);
+
+/// Groups of runs at 0.4 m/s: TPM by supply and end, and every method.
+const GROUPS: [(&str, &[Shown]); 2] = [
+    (
+        "tpm-vp2",
+        &[
+            ("tpm-vp2", "columns", "columns", 0),
+            ("tpm-vp2", "flux", "flux", 1),
+            ("tpm-vp2", "flux-outflow", "outflow", 8),
+            ("tpm-vp2", "flux-damped", "flux, damped", 5),
+        ],
+    ),
+    (
+        "flux",
+        &[
+            ("tpm-vp2", "flux", "tpm-vp2", 1),
+            ("tpm-vp0", "flux", "tpm-vp0", 6),
+            ("mpm-vp", "flux", "mpm-vp", 3),
+            ("gimp-vp", "flux", "gimp-vp", 4),
+            ("apic", "flux", "apic", 0),
+        ],
+    ),
 ];
-const LAYOUTS: [(&str, &str); 3] = [
-    ("100mm", "h_in = 100 mm, v₀ = 0.4 m/s"),
-    ("50mm", "h_in = 50 mm, v₀ = 0.4 m/s"),
-    ("coarse", "h_in = 100 mm, cells of 50 mm"),
+/// Inlets, with those of the volume-of-fluid runs.
+const LAYOUTS: [(&str, &str, bool); 3] = [
+    ("100mm", "h_in = 100 mm", true),
+    ("50mm", "h_in = 50 mm", false),
+    ("coarse", "cells of 50 mm", true),
 ];
 const SPEEDS: [(&str, usize); 4] = [("0.2", 0), ("0.4", 1), ("0.6", 3), ("0.8", 4)];
 
@@ -86,22 +104,41 @@ fn map(record: &RunRecord, title: &str) -> MapFigure {
 
 /// Mass over time, by the points and on the nodes (Fig. 21a).
 pub(super) fn masses(records: &[RunRecord]) -> Figure {
+    let shown = [
+        ("mass", "mass of the points, kg", VofTotal::Mass),
+        ("grid-mass", "mass on the nodes, kg", VofTotal::Mass),
+    ];
+    over_time(records, "Mass in the channel, v₀ = 0.4 m/s (Fig. 21a)", shown)
+}
+
+/// Kinetic and potential energy over time.
+pub(super) fn energy(records: &[RunRecord]) -> Figure {
+    let shown = [
+        ("kinetic", "kinetic energy, J", VofTotal::KineticEnergy),
+        ("potential", "potential energy, J", VofTotal::PotentialEnergy),
+    ];
+    over_time(records, "Energy of the water in the channel, v₀ = 0.4 m/s", shown)
+}
+
+fn over_time(records: &[RunRecord], title: &str, shown: [(&str, &str, VofTotal); 2]) -> Figure {
     let mut panels = Vec::new();
-    for (layout, title) in LAYOUTS {
-        for (name, label) in
-            [("mass", "mass of the points, kg"), ("grid-mass", "mass on the nodes, kg")]
-        {
-            let mut curves = own(records, layout, name);
-            if curves.is_empty() {
-                continue;
+    for (layout, inlet, is_that_of_vof) in LAYOUTS {
+        for (group, runs) in GROUPS {
+            for (name, label, quantity) in shown {
+                let mut curves = own(records, layout, runs, name);
+                if curves.is_empty() {
+                    continue;
+                }
+                for ((spacing, run), style) in outside::RUNS.into_iter().zip(VOF) {
+                    if is_that_of_vof {
+                        curves.push(line(run, style, outside::curve(spacing, quantity)));
+                    }
+                }
+                panels.push(panel(&format!("{inlet}, {group}"), label, curves));
             }
-            if layout != "50mm" {
-                curves.extend(vof(VofTotal::Mass));
-            }
-            panels.push(panel(title, label, curves));
         }
     }
-    Figure { title: "Mass in the channel (Fig. 21a)".to_owned(), panels, columns: 2 }
+    Figure { title: title.to_owned(), panels, columns: 2 }
 }
 
 /// Mass until the front reaches the end, for every speed (Fig. 21b).
@@ -109,6 +146,7 @@ pub(super) fn inflow(records: &[RunRecord]) -> Figure {
     let mut panels = Vec::new();
     for run in ["columns", "flux"] {
         let mut curves = Vec::new();
+        let mut lines = Vec::new();
         for (speed, style) in SPEEDS {
             let Some(record) = find(records, "tpm-vp2", "100mm", run, speed) else { continue };
             let until = value(record, "front", "outlet");
@@ -117,21 +155,13 @@ pub(super) fn inflow(records: &[RunRecord]) -> Figure {
             let flux = 100.0 * speed.parse::<f64>().unwrap_or(f64::NAN);
             // With two columns the first cells behind the plane are full at the start.
             let start = pairs(record, "mass").first().map_or(f64::NAN, |point| point.1);
-            let line = [0.0, until].map(|time| (time, start + flux * time));
-            curves.push(Curve {
-                label: format!("v₀ = {speed} m/s"),
-                style,
-                points,
-                look: Look::Sparse(MARKERS),
-            });
-            curves.push(Curve {
-                label: "ρ v₀ h_in t".to_owned(),
-                style: VOF[1],
-                points: line.to_vec(),
-                look: Look::Line,
-            });
+            lines.extend([0.0, until].map(|time| (time, start + flux * time)));
+            lines.push((until, f64::NAN));
+            let label = format!("v₀ = {speed} m/s");
+            curves.push(Curve { label, style, points, look: Look::Sparse(MARKERS) });
         }
         if !curves.is_empty() {
+            curves.push(line("ρ v₀ h_in t", VOF[1], lines));
             panels.push(panel(&format!("tpm-vp2, {run}"), "mass on the nodes, kg", curves));
         }
     }
@@ -146,65 +176,46 @@ pub(super) fn surface(records: &[RunRecord]) -> Figure {
     let top = |column: &WaterColumn| column.top;
     let shown: [(&str, &str, fn(&WaterColumn) -> f64); 2] =
         [("depth", "depth, m", depth), ("top", "highest water, m", top)];
-    for (layout, title) in LAYOUTS {
-        for instant in SURFACES {
+    for (layout, inlet, is_that_of_vof) in LAYOUTS {
+        for (instant, (group, runs)) in
+            SURFACES.into_iter().flat_map(|instant| GROUPS.map(|group| (instant, group)))
+        {
             for (name, label, of) in shown {
-                let mut curves = own(records, layout, &picture(name, instant));
+                let mut curves = own(records, layout, runs, &picture(name, instant));
                 if curves.is_empty() {
                     continue;
+                }
+                for curve in &mut curves {
+                    curve.points = running_mean(&curve.points, SMOOTH);
                 }
                 for ((spacing, run), style) in outside::RUNS.into_iter().zip(VOF) {
                     let columns = outside::surface(spacing, instant);
                     let points = columns.iter().map(|column| (column.x, of(column))).collect();
-                    if layout != "50mm" {
+                    if is_that_of_vof {
                         curves.push(line(run, style, points));
                     }
                 }
-                let title = format!("{title}, t = {instant} s");
+                let title = format!("{inlet}, {group}, t = {instant} s");
                 panels.push(Panel { x: Axis::linear("x, m"), ..panel(&title, label, curves) });
             }
         }
     }
-    Figure { title: "Surface of the water".to_owned(), panels, columns: 2 }
-}
-
-/// Kinetic and potential energy over time.
-pub(super) fn energy(records: &[RunRecord]) -> Figure {
-    let mut panels = Vec::new();
-    for (layout, title) in LAYOUTS {
-        for (name, quantity) in
-            [("kinetic", VofTotal::KineticEnergy), ("potential", VofTotal::PotentialEnergy)]
-        {
-            let mut curves = own(records, layout, name);
-            if curves.is_empty() {
-                continue;
-            }
-            if layout != "50mm" {
-                curves.extend(vof(quantity));
-            }
-            panels.push(panel(title, &format!("{name} energy, J"), curves));
-        }
-    }
-    Figure { title: "Energy of the water in the channel".to_owned(), panels, columns: 2 }
+    let title = "Surface of the water, v₀ = 0.4 m/s; points: mean over 0.1 m".to_owned();
+    Figure { title, panels, columns: 2 }
 }
 
 fn pairs(record: &RunRecord, name: &str) -> Vec<(f64, f64)> {
     record.profile(name).map(Profile::pairs).unwrap_or_default()
 }
 
-/// A profile of every run of an inlet at 0.4 m/s.
-fn own(records: &[RunRecord], layout: &str, name: &str) -> Vec<Curve> {
-    let of_run = |(variant, run, style): (&str, &str, usize)| {
+/// A profile of every run of a group at 0.4 m/s.
+fn own(records: &[RunRecord], layout: &str, runs: &[Shown], name: &str) -> Vec<Curve> {
+    let of_run = |&(variant, run, label, style): &Shown| {
         let points = pairs(find(records, variant, layout, run, "0.4")?, name);
-        let label = format!("{variant} {run}");
+        let label = label.to_owned();
         (!points.is_empty()).then_some(Curve { label, style, points, look: Look::Sparse(MARKERS) })
     };
-    SHOWN.into_iter().filter_map(of_run).collect()
-}
-
-fn vof(quantity: VofTotal) -> Vec<Curve> {
-    let of_run = |((spacing, label), style)| line(label, style, outside::curve(spacing, quantity));
-    outside::RUNS.into_iter().zip(VOF).map(of_run).collect()
+    runs.iter().filter_map(of_run).collect()
 }
 
 fn line(label: &str, style: usize, points: Vec<(f64, f64)>) -> Curve {

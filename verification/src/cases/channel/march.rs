@@ -100,8 +100,7 @@ struct Run<'a> {
 impl<'a> Run<'a> {
     fn start(parameters: &'a Parameters, simulation: Box<dyn Simulation<2>>) -> Self {
         let mut recording = Recording::default();
-        let edge = parameters.edge();
-        recording.states.push(State::of(simulation.as_ref(), edge));
+        recording.states.push(State::of(simulation.as_ref(), parameters));
         let ledger = Balance::of(simulation.as_ref());
         let instants = INSTANTS.into_iter().filter(|&instant| instant <= parameters.end);
         let instants = instants.rev().collect();
@@ -142,6 +141,9 @@ impl<'a> Run<'a> {
             }
             self.picture(grid)?;
         }
+        if step % stride != 0 && outcome == Outcome::Completed {
+            self.sample();
+        }
         self.recording.end = Some((self.simulation.time(), step));
         self.recording.imbalance = Some(self.ledger.most);
         Ok(outcome)
@@ -153,7 +155,7 @@ impl<'a> Run<'a> {
 
     /// Takes a sample; returns whether the energy is within its bound.
     fn sample(&mut self) -> bool {
-        let state = State::of(self.simulation.as_ref(), self.parameters.edge());
+        let state = State::of(self.simulation.as_ref(), self.parameters);
         self.recording.states.push(state);
         state.energy() <= MOST_ENERGY * self.parameters.head() * state.mass
     }

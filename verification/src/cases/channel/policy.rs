@@ -6,14 +6,11 @@ use transpoint::{Settings, Variant};
 
 use super::scene::{Outlet, SOUND_SPEED};
 use crate::case::Tier;
-use crate::cases::free_surface::{self, COURANT, FILL, LEVERAGE, POSITIVITY};
+use crate::cases::free_surface::{self, COURANT, FILL, INFLOW_RELAXATION, LEVERAGE, POSITIVITY};
 
 /// Points per cell and axis.
 pub(super) const POINTS_PER_AXIS: usize = 2;
-/// c₀ τ/h of the relaxation towards PIC. Its viscosity h c₀/1200 is then 0.3 % of h_in √(g h_in): the flow is
-/// two or three cells deep, and with the 12 of the dam break (6 %, `damped`) it is held up.
-const RELAXATION: f64 = 200.0;
-/// That of the dam break.
+/// c₀ τ/h of the dam break: its viscosity, 6 % of h_in √(g h_in), holds the flow up.
 const DAMPED: f64 = 12.0;
 /// Energy per mass over that of what comes in at which a run counts as blown up.
 pub(super) const MOST_ENERGY: f64 = 4.0;
@@ -131,7 +128,7 @@ pub(super) const VARIANTS: [Variant; 5] = [
 /// otherwise (`spectral`). Fractures are filled where a method can: where points carry no mass.
 pub(super) fn settings(run: &Run) -> Settings {
     let filled = Rearrangement { fill: Some(FILL), ..Rearrangement::default() };
-    let relaxation = if run.damped { DAMPED } else { RELAXATION };
+    let relaxation = if run.damped { DAMPED } else { INFLOW_RELAXATION };
     let carries_mass = run.carries_mass();
     Settings {
         stress_update: if carries_mass { StressUpdate::ModifiedLast } else { StressUpdate::Last },
@@ -143,7 +140,7 @@ pub(super) fn settings(run: &Run) -> Settings {
 /// One line of settings for the notes of tables.
 pub(super) fn text() -> String {
     format!(
-        "All runs: FLIP with the share 1 − Δt/τ, τ = {RELAXATION} h/c₀ (`damped`: {DAMPED}; `apic`: affine); stress \
+        "All runs: FLIP with the share 1 − Δt/τ, τ = {INFLOW_RELAXATION} h/c₀ (`damped`: {DAMPED}; `apic`: affine); stress \
          updated modified-last in MPM and last in TPM; Δt = {COURANT} of the stable one; {POINTS_PER_AXIS} points per \
          cell and axis; c₀ = {SOUND_SPEED} m/s, p ≥ −5000 Pa; hydrostatic pressure in the inlet's first column. \
          TPM: moving least squares over 1 cell, positivity θ = {POSITIVITY}, leverage Λ = {LEVERAGE}; one sample \

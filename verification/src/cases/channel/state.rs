@@ -1,8 +1,10 @@
 //! Masses, energies and front of the water in the channel.
 
 use transpoint::Simulation;
+use transpoint::simulation::PointState;
 
-use super::scene::GRAVITY;
+use super::Parameters;
+use super::scene::{DOMAIN, GRAVITY};
 
 /// Names of the columns of [`State::values`].
 pub(super) const COLUMNS: [&str; 7] =
@@ -15,7 +17,7 @@ pub(super) struct State {
     pub(super) time: f64,
     /// Σ m, kg.
     pub(super) mass: f64,
-    /// Mass on the nodes less Σ m left of the plane, kg; not a number before the first step.
+    /// Mass on the nodes less that of the inlet's column, kg; not a number before the first step.
     pub(super) grid_mass: f64,
     /// Kinetic and potential energy, J.
     pub(super) energies: [f64; 2],
@@ -30,28 +32,28 @@ pub(super) struct State {
 }
 
 impl State {
-    /// Sums over the points of a simulation whose points have squares of a given edge, m.
-    pub(super) fn of(simulation: &dyn Simulation<2>, edge: f64) -> Self {
+    /// Sums over the points of a simulation.
+    pub(super) fn of(simulation: &dyn Simulation<2>, parameters: &Parameters) -> Self {
         let mut state = Self {
             time: simulation.time(),
             left: simulation.ledger().left().conserved.mass,
             points: simulation.n_points(),
             ..Self::default()
         };
-        let mut before = 0.0;
+        let mut column = Column::new(parameters);
         simulation.visit_points(&mut |point| {
             let [x, y] = point.position;
-            let mass = point.mass * share(x, edge);
+            let mass = point.mass * share(x, parameters.edge());
             let square: f64 = point.velocity.iter().map(|v| v * v).sum();
             state.mass += mass;
-            before += point.mass - mass;
+            column.add(point, point.mass - mass);
             state.energies[0] += 0.5 * mass * square;
             state.energies[1] += mass * GRAVITY * y;
             state.front = state.front.max(x);
             state.speed = state.speed.max(square.sqrt());
         });
         let on_nodes = simulation.grid_mass();
-        state.grid_mass = if on_nodes > 0.0 { on_nodes - before } else { f64::NAN };
+        state.grid_mass = if on_nodes > 0.0 { on_nodes - column.mass() } else { f64::NAN };
         state
     }
 
@@ -72,4 +74,57 @@ impl State {
 /// evenly, not a column of points at a time.
 pub(super) fn share(x: f64, edge: f64) -> f64 {
     (x / edge + 0.5).clamp(0.0, 1.0)
+}
+
+/// The column of cells left of the inlet plane, as the quadrature sees it.
+struct Column {
+    spacing: f64,
+    /// Whether full cells have one sample for all of their volume.
+    has_full_cells: bool,
+    /// Number of points of the cells of this column and of the next, from the bed.
+    counts: Vec<[u32; 2]>,
+    /// Σ ρ of the points and Σ m of their parts left of the plane, kg.
+    sums: Vec<[f64; 2]>,
+}
+
+impl Column {
+    fn new(parameters: &Parameters) -> Self {
+        let rows = (DOMAIN[1] / parameters.spacing).round() as usize;
+        Self {
+            spacing: parameters.spacing,
+            has_full_cells: parameters.settings.rearrangement.is_some(),
+            counts: vec![[0; 2]; rows],
+            sums: vec![[0.0; 2]; rows],
+        }
+    }
+
+    /// Takes a point into account, `left` being the mass of its part left of the plane.
+    fn add(&mut self, point: &PointState<2>, left: f64) {
+        let [x, y] = point.position;
+        if x >= self.spacing {
+            return;
+        }
+        let row = ((y / self.spacing) as usize).min(self.counts.len() - 1);
+        self.sums[row][1] += left;
+        self.counts[row][usize::from(x >= 0.0)] += 1;
+        if x < 0.0 {
+            self.sums[row][0] += point.density;
+        }
+    }
+
+    /// Mass on the nodes from this column, kg: all of a cell without an empty neighbour, else the points'.
+    fn mass(&self) -> f64 {
+        let last = self.counts.len() - 1;
+        let cell = |row: usize| {
+            let around = &self.counts[row.saturating_sub(1)..=(row + 1).min(last)];
+            let full = around.iter().flatten().all(|&count| count > 0);
+            let [densities, left] = self.sums[row];
+            if full && self.has_full_cells {
+                densities / f64::from(self.counts[row][0]) * self.spacing * self.spacing
+            } else {
+                left
+            }
+        };
+        (0..=last).map(cell).sum()
+    }
 }

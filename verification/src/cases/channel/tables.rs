@@ -45,7 +45,7 @@ pub(super) fn mass(records: &[RunRecord], policy: &str) -> Table {
     let note = format!(
         "Flux: ρ₀ v₀ h_in. dm/dt by least squares until the first point reaches the end; off the line: \
          largest distance from m(0) + ρ₀ v₀ h_in t until then over the mass at that time. Grid mass: on the \
-         nodes, less the points' left of the inlet plane. What comes in is compressed by its hydrostatic pressure, \
+         nodes, less that of the inlet's column. What comes in is compressed by its hydrostatic pressure, \
          ½ g h_in/c₀², which is 0.12 % at 100 mm. With `columns` the first h = 20 mm behind the plane are full at \
          the start (2 kg at 100 mm). VOF over its own run on 5 mm cells. {policy}"
     );
