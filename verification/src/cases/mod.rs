@@ -2,10 +2,13 @@
 
 pub mod acoustic_pulse;
 pub mod cell_means;
+pub mod channel;
+pub mod channel_vof;
 pub mod column;
 pub mod dam_break;
 pub mod elastic_bar;
 pub mod errors;
+pub mod fluid_cells;
 pub mod free_overfall;
 pub mod free_surface;
 pub mod jet_on_plate;
@@ -22,10 +25,12 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 12] = [
+pub static ALL: [&dyn Case; 14] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
+    &channel::Channel,
+    &channel_vof::ChannelVof,
     &jet_on_plate::JetOnPlate,
     &free_overfall::FreeOverfall,
     &sod::Sod,

@@ -1,13 +1,13 @@
-//! Measures of histories: curves over time.
+//! Measures of curves over time.
 
 /// A curve: times and values, times ascending.
-pub(super) type Curve = [(f64, f64)];
+pub type Curve = [(f64, f64)];
 
 /// How far a curve may end before a range and still cover it.
 const SLACK: f64 = 0.02;
 
 /// The values within a range; none where the curve ends before it.
-pub(super) fn within(curve: &Curve, from: f64, to: f64) -> &Curve {
+pub fn within(curve: &Curve, from: f64, to: f64) -> &Curve {
     if curve.last().is_none_or(|last| last.0 < to - SLACK) {
         return &[];
     }
@@ -16,8 +16,8 @@ pub(super) fn within(curve: &Curve, from: f64, to: f64) -> &Curve {
     &curve[begin..end]
 }
 
-/// ∫ dt over a range by the trapezoidal rule; not a number where the curve does not cover it.
-pub(super) fn impulse(curve: &Curve, from: f64, to: f64) -> f64 {
+/// The integral over a range by the trapezoidal rule; not a number where the curve does not cover it.
+pub fn impulse(curve: &Curve, from: f64, to: f64) -> f64 {
     let part = within(curve, from, to);
     if part.len() < 2 {
         return f64::NAN;
@@ -26,7 +26,7 @@ pub(super) fn impulse(curve: &Curve, from: f64, to: f64) -> f64 {
 }
 
 /// Mean over a range; not a number where the curve does not cover it.
-pub(super) fn mean(curve: &Curve, from: f64, to: f64) -> f64 {
+pub fn mean(curve: &Curve, from: f64, to: f64) -> f64 {
     let part = within(curve, from, to);
     match (part.first(), part.last()) {
         (Some(first), Some(last)) => impulse(curve, from, to) / (last.0 - first.0),
@@ -35,7 +35,7 @@ pub(super) fn mean(curve: &Curve, from: f64, to: f64) -> f64 {
 }
 
 /// At each value the mean of all that are at most half a `width` away.
-pub(super) fn running_mean(curve: &Curve, width: f64) -> Vec<(f64, f64)> {
+pub fn running_mean(curve: &Curve, width: f64) -> Vec<(f64, f64)> {
     let reach = 0.5 * width;
     let (mut begin, mut end) = (0, 0);
     let smooth = |&(time, _): &(f64, f64)| {
@@ -52,19 +52,19 @@ pub(super) fn running_mean(curve: &Curve, width: f64) -> Vec<(f64, f64)> {
 }
 
 /// Where a curve is largest within a range, and its value there.
-pub(super) fn largest(curve: &Curve, from: f64, to: f64) -> (f64, f64) {
+pub fn largest(curve: &Curve, from: f64, to: f64) -> (f64, f64) {
     let part = within(curve, from, to).iter().copied();
     part.reduce(|a, b| if b.1 > a.1 { b } else { a }).unwrap_or((f64::NAN, f64::NAN))
 }
 
 /// The first time from `from` on at which a curve exceeds a value.
-pub(super) fn first_above(curve: &Curve, from: f64, value: f64) -> f64 {
+pub fn first_above(curve: &Curve, from: f64, value: f64) -> f64 {
     let found = curve.iter().find(|point| point.0 >= from && point.1 > value);
     found.map_or(f64::NAN, |point| point.0)
 }
 
 /// Root mean square over a range of a curve minus its running mean.
-pub(super) fn noise(curve: &Curve, smooth: &Curve, from: f64, to: f64) -> f64 {
+pub fn noise(curve: &Curve, smooth: &Curve, from: f64, to: f64) -> f64 {
     let (raw, smooth) = (within(curve, from, to), within(smooth, from, to));
     let squares = raw.iter().zip(smooth).map(|(raw, smooth)| (raw.1 - smooth.1).powi(2));
     // Without values 0/0 is not a number.
@@ -72,7 +72,7 @@ pub(super) fn noise(curve: &Curve, smooth: &Curve, from: f64, to: f64) -> f64 {
 }
 
 /// The value at an instant, linear between those of the curve; not a number outside.
-pub(super) fn at(curve: &Curve, time: f64) -> f64 {
+pub fn at(curve: &Curve, time: f64) -> f64 {
     let next = curve.partition_point(|point| point.0 < time);
     match (next.checked_sub(1).and_then(|k| curve.get(k)), curve.get(next)) {
         (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (time - a.0) / (b.0 - a.0),
@@ -82,7 +82,7 @@ pub(super) fn at(curve: &Curve, time: f64) -> f64 {
 }
 
 /// Root mean square over a range of the difference of two curves, at the values of the first.
-pub(super) fn deviation(curve: &Curve, reference: &Curve, from: f64, to: f64) -> f64 {
+pub fn deviation(curve: &Curve, reference: &Curve, from: f64, to: f64) -> f64 {
     let part = within(curve, from, to);
     let squares = part.iter().map(|&(time, value)| (value - at(reference, time)).powi(2));
     (squares.sum::<f64>() / part.len() as f64).sqrt()

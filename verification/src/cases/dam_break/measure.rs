@@ -4,6 +4,7 @@ use super::march::Recording;
 use super::probe::PLACES;
 use super::state::State;
 use crate::case::Row;
+use crate::cases::series;
 use crate::cases::series::{
     Curve, deviation, first_above, impulse, largest, mean, noise, running_mean,
 };
@@ -108,7 +109,7 @@ fn totals(recording: &Recording) -> Vec<(&'static str, &'static str, f64)> {
     };
     let start = states.first().copied().unwrap_or_default();
     let energy = curve(&|state| state.total() / start.total());
-    let dissipated = |time: f64| 1.0 - crate::cases::series::at(&energy, time);
+    let dissipated = |time: f64| 1.0 - series::at(&energy, time);
     let excess = energy.iter().map(|point| point.1 - 1.0).reduce(f64::max).unwrap_or(f64::NAN);
     // The first state has no mass on the nodes yet.
     let after = states.get(1..).unwrap_or_default();
@@ -132,7 +133,7 @@ fn totals(recording: &Recording) -> Vec<(&'static str, &'static str, f64)> {
         ("grid-mass", "drift", drift(after.first().map(|state| state.grid_mass), &|s| s.grid_mass)),
         ("points", "start", if states.is_empty() { f64::NAN } else { start.points as f64 }),
         ("points", "end", last),
-        ("points", "growth", last / crate::cases::series::at(&points, GROWTH)),
+        ("points", "growth", last / series::at(&points, GROWTH)),
         ("points", "most-in-a-cell", most.reduce(f64::max).unwrap_or(f64::NAN)),
         ("fractures", "most", fractures.reduce(f64::max).unwrap_or(f64::NAN)),
         ("fractures", "most-lasting", lasting.reduce(f64::max).unwrap_or(f64::NAN)),

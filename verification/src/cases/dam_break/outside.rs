@@ -3,6 +3,7 @@
 use super::measure::{of_heights, of_pressure};
 use super::probe::PLACES;
 use super::state::COLUMNS;
+use crate::cases::series;
 use crate::reference::dam_break::{VofQuantity, VofSpacing, pressure_160, vof};
 
 /// Sizes of the cells of the volume-of-fluid runs with their names.
@@ -71,14 +72,14 @@ pub(super) fn measure(spacing: VofSpacing, quantity: &str, norm: &str) -> f64 {
 /// T at which the volume fraction at 160 mm exceeds 0.1.
 fn wetting(spacing: VofSpacing) -> f64 {
     let fraction = vof(spacing, VofQuantity::Fraction160);
-    fraction.map_or(f64::NAN, |series| crate::cases::series::first_above(&series.points, 0.0, 0.1))
+    fraction.map_or(f64::NAN, |series| series::first_above(&series.points, 0.0, 0.1))
 }
 
 fn dissipated(spacing: VofSpacing, norm: &str) -> f64 {
     let time = norm.strip_prefix("dissipated@").and_then(|time| time.parse().ok());
     let energy = vof(spacing, VofQuantity::EnergyRatio);
     match (time, energy) {
-        (Some(time), Ok(energy)) => 1.0 - crate::cases::series::at(&energy.points, time),
+        (Some(time), Ok(energy)) => 1.0 - series::at(&energy.points, time),
         _ => f64::NAN,
     }
 }

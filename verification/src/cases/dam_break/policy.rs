@@ -7,7 +7,7 @@ use transpoint::{Settings, Variant};
 
 use super::scene::{SOUND_SPEED, Shape};
 use crate::case::Tier;
-use crate::cases::free_surface::{self, FILL};
+use crate::cases::free_surface::{self, FILL, RELAXATION};
 
 /// Total energy over that at the start at which a run counts as blown up.
 pub(super) const MOST_ENERGY: f64 = 2.0;
@@ -179,7 +179,7 @@ pub(super) const VARIANTS: [Variant; 5] = [
 /// Settings of a run.
 pub(super) fn settings(run: &Run) -> Settings {
     if run.difference == Difference::Printed {
-        return free_surface::plain(run.points_per_axis);
+        return free_surface::printed(run.points_per_axis);
     }
     let modified = matches!(
         run.difference,
@@ -189,10 +189,10 @@ pub(super) fn settings(run: &Run) -> Settings {
         stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
         boundary_criterion: match run.difference {
             Difference::FillShare => BoundaryCriterion::VolumeShare(LEAST_SHARE),
-            _ => printed.boundary_criterion,
+            _ => BoundaryCriterion::EmptyNeighbor,
         },
         rearrangement: run.difference.rearrangement(),
-        ..free_surface::settings(run.points_per_axis, run.spacing, SOUND_SPEED)
+        ..free_surface::settings(run.points_per_axis, run.spacing, SOUND_SPEED, RELAXATION)
     }
 }
 

@@ -8,6 +8,7 @@ use super::scene::{COLUMN, DENSITY, GRAVITY, SOUND_SPEED, scaled_time, scene};
 use super::state::State;
 use super::*;
 use crate::case::{Outcome, Row};
+use crate::cases::series;
 use crate::machine::Manifest;
 
 fn value(rows: &[Row], quantity: &str, norm: &str) -> f64 {
@@ -155,7 +156,7 @@ fn the_same_column_runs_in_three_dimensions() {
     // Slip walls let the water do across the depth what it does in the plane.
     let kinetic = |findings: &Findings| {
         let profile = findings.profiles.iter().find(|profile| profile.name == "kinetic");
-        crate::cases::series::at(&profile.expect("a profile").pairs(), 0.5)
+        series::at(&profile.expect("a profile").pairs(), 0.5)
     };
     let ratio = kinetic(&findings) / (0.3 * kinetic(&plane));
     assert!((ratio - 1.0).abs() < 0.05, "{ratio}");

@@ -5,7 +5,7 @@ use transpoint::{Settings, Variant};
 
 use super::scene::{CRITICAL_DEPTH, POINTS_PER_AXIS, sound_speed};
 use crate::case::Tier;
-use crate::cases::free_surface::{self, FILL};
+use crate::cases::free_surface::{self, FILL, RELAXATION};
 
 /// Cells in the critical depth, by level.
 pub(super) const CELLS: [usize; 3] = [8, 12, 16];
@@ -64,7 +64,7 @@ pub(super) fn settings(run: &Run) -> Settings {
     Settings {
         stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
         rearrangement: (run.variant == TPM).then_some(filled),
-        ..free_surface::settings(POINTS_PER_AXIS, spacing(run.level), sound_speed())
+        ..free_surface::settings(POINTS_PER_AXIS, spacing(run.level), sound_speed(), RELAXATION)
     }
 }
 

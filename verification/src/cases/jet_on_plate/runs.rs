@@ -6,7 +6,7 @@ use transpoint::{Settings, Variant};
 
 use super::scene::{JET, POINTS_PER_AXIS, SOUND_SPEED, Start};
 use crate::case::Tier;
-use crate::cases::free_surface::{self, FILL};
+use crate::cases::free_surface::{self, FILL, RELAXATION};
 
 /// Cells across the jet, by level.
 pub(super) const CELLS: [usize; 4] = [4, 8, 16, 32];
@@ -137,7 +137,7 @@ pub(super) fn settings(run: &Run) -> Settings {
     Settings {
         stress_update: if modified { StressUpdate::ModifiedLast } else { StressUpdate::Last },
         rearrangement: reconstructs.then_some(rearrangement),
-        ..free_surface::settings(POINTS_PER_AXIS, spacing(run.level), SOUND_SPEED)
+        ..free_surface::settings(POINTS_PER_AXIS, spacing(run.level), SOUND_SPEED, RELAXATION)
     }
 }
 
