@@ -4,6 +4,7 @@
 //! from what is declared, so that no check compares with numbers that nobody vouches for. What the
 //! files hold and where they come from stands beside them.
 
+pub mod cylinder;
 pub mod dam_break;
 
 use std::fmt::Write;

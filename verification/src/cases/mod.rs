@@ -2,6 +2,7 @@
 
 pub mod acoustic_pulse;
 pub mod column;
+pub mod cylinder;
 pub mod dam_break;
 pub mod elastic_bar;
 pub mod errors;
@@ -17,10 +18,11 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 10] = [
+pub static ALL: [&dyn Case; 11] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
+    &cylinder::Cylinder,
     &sod::Sod,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,
