@@ -128,40 +128,45 @@ const EVENTS: [(&str, &str); 4] = [
     ("n_fills_refused", "fills refused"),
 ];
 
+/// What is published for a measure.
+fn given(layout: &str, quantity: &str, norm: &str) -> Option<Quantity> {
+    match (layout, quantity, norm) {
+        ("shedding-re100", "strouhal", "crossings") => Some(Quantity::Strouhal),
+        ("shedding-re100", "drag", "max") => Some(Quantity::LargestDrag),
+        ("shedding-re100", "lift", "max") => Some(Quantity::LargestLift),
+        ("steady-re20", "drag", "mean") => Some(Quantity::SteadyDrag),
+        ("steady-re20", "lift", "mean") => Some(Quantity::SteadyLift),
+        _ => None,
+    }
+}
+
+/// The row of published bounds of a flow.
+fn published(layout: &str) -> Vec<Cell> {
+    let names = [layout, "[SchaeferTurek1996]", "", ""].into_iter().map(Cell::from);
+    let bounds = COLUMNS.iter().map(|(quantity, norm, _)| {
+        let bounds = given(layout, quantity, norm).and_then(|quantity| band(quantity).ok());
+        bounds.map_or(Cell::from(""), |[lower, upper]| Cell::Text(format!("{lower}-{upper}")))
+    });
+    names.chain(bounds).chain(EVENTS.iter().map(|_| Cell::from(""))).collect()
+}
+
 /// Measures of every run with the published bounds below.
 fn table(records: &[RunRecord], policy: &str) -> Table {
     let mut rows: Vec<Vec<Cell>> = records.iter().map(row).collect();
-    let bounds = |layout: &str, given: &dyn Fn(&str, &str) -> Option<Quantity>| {
-        let name = "[SchaeferTurek1996]";
-        let mut found = [layout, name, "", ""].map(Cell::from).to_vec();
-        found.extend(COLUMNS.iter().map(|(quantity, norm, _)| {
-            let bounds = given(quantity, norm).and_then(|quantity| band(quantity).ok());
-            bounds.map_or(Cell::from(""), |[lower, upper]| Cell::Text(format!("{lower}-{upper}")))
-        }));
-        found.extend(EVENTS.iter().map(|_| Cell::from("")));
-        found
-    };
-    rows.push(bounds("shedding-re100", &|quantity, norm| match (quantity, norm) {
-        ("strouhal", "crossings") => Some(Quantity::Strouhal),
-        ("drag", "max") => Some(Quantity::LargestDrag),
-        ("lift", "max") => Some(Quantity::LargestLift),
-        _ => None,
-    }));
-    rows.push(bounds("steady-re20", &|quantity, norm| match (quantity, norm) {
-        ("drag", "mean") => Some(Quantity::SteadyDrag),
-        ("lift", "mean") => Some(Quantity::SteadyLift),
-        _ => None,
-    }));
+    for layout in ["shedding-re100", "steady-re20"] {
+        if records.iter().any(|record| record.spec.layout == layout) {
+            rows.push(published(layout));
+        }
+    }
     let columns = ["layout", "method", "body", "cells per D"].into_iter();
     let columns = columns.chain(COLUMNS.map(|column| column.2)).chain(EVENTS.map(|event| event.1));
     let note = format!(
         "T = t U/D. C = F/(½ ρ₀ U² D), U the mean velocity of the inflow; the force is the momentum that the \
          nodes of the cylinder take, by its running mean over 0.2 T; noise: root mean square of what that \
-         takes away. Maxima: means over the periods of the largest value in each. Body: `plain` has the radius of the \
-         circle, `matched` one with which the convex hull of the nodes that it holds has the area of the \
-         circle. Voids: cells of the fluid \
-         without points, mean and most. Energy: largest kinetic energy over that at the start. Ledger: \
-         largest share of the mass that neither inlet nor outflow nor rearrangement explains. {policy}"
+         takes away. Maxima: means over the periods of the largest value in each. Body: `plain` has the \
+         radius of the circle, `matched` one with which the convex hull of the nodes that it holds has the \
+         area of the circle. Voids: cells of the fluid without points, mean and most. Energy: largest \
+         kinetic energy over that at the start. Ledger: largest share of the mass that neither inlet nor outflow nor rearrangement explains. {policy}"
     );
     Table { columns: columns.map(str::to_owned).collect(), rows, note }
 }
