@@ -7,7 +7,7 @@ use transpoint::scene::{
     BodyShape, BodySpec, BodySurface, Boundary, EquationOfStateSpec, GridSpec, PointSpec,
     Relaxation, Scene,
 };
-use transpoint::variants::Blend;
+use transpoint::variants::{Blend, Rearrangement, Shift};
 use transpoint::{Settings, Variant};
 
 const DT: f64 = 0.2 * 0.09 / SOUND_SPEED;
@@ -125,6 +125,26 @@ fn cells_of_a_body_are_not_empty_neighbors() {
     simulation.step(DT).unwrap();
     let counters = simulation.counters();
     assert_eq!(counters.n_samples, counters.n_cell_updates);
+}
+
+#[test]
+fn points_that_are_pushed_apart_stay_outside_of_bodies() {
+    let shift = Some(Shift { strength: 1.0, interval: 1 });
+    let rearrangement = Some(Rearrangement { shift, ..Rearrangement::default() });
+    let settings = Settings { rearrangement, ..Settings::default() };
+    let scene = around::<2>(ball(), BodySurface::NoSlip, 11);
+    let spacing = scene.grid.spacing;
+    let mut simulation = scene.build(Variant::TpmVpQuadratic, &settings);
+    for _ in 0..5 {
+        simulation.step(DT).unwrap();
+        simulation.visit_points(&mut |point| {
+            let center = std::array::from_fn(|axis| {
+                ((point.position[axis] / spacing[axis]).floor() + 0.5) * spacing[axis]
+            });
+            assert!(ball::<2>().level(center) >= 0.0, "{point:?}");
+        });
+    }
+    assert!(simulation.counters().n_points_shifted > 0);
 }
 
 #[test]

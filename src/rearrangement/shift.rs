@@ -41,7 +41,7 @@ where
     ///
     /// with the strength s, the smallest cell size h and the n_c points of the cell of p. What a point
     /// carries changes by the difference of the reconstructed field between both places. A coordinate
-    /// that would leave the box stays.
+    /// that would leave the box stays, and so does a point that would enter a body.
     pub(super) fn shift(&mut self, shift: Shift, kept: &mut RearrangerOf<T, D, M, K>) {
         let (view, internal) = (self.as_view(), &kept.survey.internal);
         let spacing = self.grid.spacing;
@@ -144,6 +144,9 @@ where
             }
         }
         let cell = settle(view.grid, &view.physics.boundaries, &mut position)?;
+        if view.cells.is_solid(cell as usize) {
+            return None;
+        }
         let reconstruction = view.method.reconstruction().unlimited(T::zero());
         let mut at = |position| {
             let target = std::array::from_fn(|axis| view.grid.in_cells(position, axis));

@@ -5,6 +5,7 @@
 //! files hold and where they come from stands beside them.
 
 pub mod channel;
+pub mod cylinder;
 pub mod dam_break;
 
 use std::fmt::Write;

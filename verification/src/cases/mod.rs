@@ -5,6 +5,7 @@ pub mod cell_means;
 pub mod channel;
 pub mod channel_vof;
 pub mod column;
+pub mod cylinder;
 pub mod dam_break;
 pub mod elastic_bar;
 pub mod errors;
@@ -25,7 +26,7 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 14] = [
+pub static ALL: [&dyn Case; 15] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -33,6 +34,7 @@ pub static ALL: [&dyn Case; 14] = [
     &channel_vof::ChannelVof,
     &jet_on_plate::JetOnPlate,
     &free_overfall::FreeOverfall,
+    &cylinder::Cylinder,
     &sod::Sod,
     &acoustic_pulse::AcousticPulse,
     &shear_startup::ShearStartup,
