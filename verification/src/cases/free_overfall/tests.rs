@@ -103,7 +103,8 @@ fn a_short_run_falls_over_the_brink_and_is_repeated_to_the_bit() {
         found.expect("a profile").pairs()
     };
     let brink = profile("brink-depth");
-    assert!(brink[0].1 > 0.4 && brink.iter().all(|point| point.1 < 1.0));
+    // Half of what lies beside the brink is empty at first; the stream is denser than ρ₀ on the bed.
+    assert!((brink[0].1 - 0.5).abs() < 0.1 && brink.iter().all(|point| point.1 < 1.05));
     let names = |rows: &[Row]| -> Vec<String> {
         rows.iter().map(|row| format!("{} {}", row.quantity, row.norm)).collect()
     };
