@@ -75,13 +75,11 @@ impl FluidCells {
     /// The two cells along an axis that a square lies in, with its shares.
     fn shares(&self, at: f64, axis: usize) -> [(usize, f64); 2] {
         let half = 0.5 * self.edge;
-        let (first, last) = (self.index(at - half, axis), self.index(at + half, axis));
-        if first == last {
-            return [(first, 1.0), (last, 0.0)];
-        }
-        let face = self.grid.origin[axis] + self.grid.spacing[axis] * last as f64;
-        let beyond = (at + half - face) / self.edge;
-        [(first, 1.0 - beyond), (last, beyond)]
+        let first = self.index(at - half, axis);
+        let next = (first + 1).min(self.grid.cells[axis] - 1);
+        let face = self.grid.origin[axis] + self.grid.spacing[axis] * (first + 1) as f64;
+        let beyond = ((at + half - face) / self.edge).clamp(0.0, 1.0);
+        [(first, 1.0 - beyond), (next, beyond)]
     }
 
     /// Middle of a column of cells, m.
@@ -201,7 +199,9 @@ mod tests {
         let tops = cells.tops();
         assert_eq!(tops[0], (-0.5, 2.0));
         assert!(tops[3].1.is_nan());
-        for (place, wet) in [([0.0, 0.1], true), ([1.99, 1.99], true), ([2.01, 1.0], false)] {
+        for (place, wet) in
+            [([0.0, 0.1], true), ([1.99, 1.0], true), ([1.0, 1.99], true), ([2.01, 1.0], false)]
+        {
             assert_eq!(cells.is_wet(place), wet, "{place:?}");
         }
         assert!(cells.is_wet([-0.9, 1.9]) && !cells.is_wet([0.5, 2.1]));
@@ -215,6 +215,13 @@ mod tests {
         assert!((cells.volumes[0] - 0.3).abs() < 1e-12 && (cells.volumes[2] - 0.7).abs() < 1e-12);
         cells.add(&point([2.9, 1.9], 2.0, 7.0));
         assert!((cells.volumes.iter().sum::<f64>() - 3.0).abs() < 1e-12);
+        // A square as large as a cell stays in it, whatever the rounding of its sides.
+        let grid = GridSpec { origin: [-1e-3, 0.0], spacing: [1e-3; 2], cells: [40, 10] };
+        let mut cells = FluidCells::new(&grid, 1e-3);
+        for column in 0..40 {
+            cells.add(&point([(f64::from(column) - 0.5) * 1e-3, 4.5e-3], 1e-6, 0.0));
+        }
+        assert!(cells.depths().iter().all(|&(_, depth)| (depth - 1e-3).abs() < 1e-12));
     }
 
     #[test]

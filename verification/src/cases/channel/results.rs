@@ -64,9 +64,8 @@ fn is_long_rival(record: &RunRecord) -> bool {
     carries_mass(record) && is_stable(record) && record.spec.layout == "100mm"
 }
 
-/// Set beforehand. What comes in under hydrostatic pressure has at most the head ½ v₀² + g h_in, which
-/// bounds the energy of what is in the channel; beside what the issue of the volume-of-fluid run and the
-/// balance of mass ask for.
+/// Set beforehand. What comes in under hydrostatic pressure has the head ½ v₀² + g h_in, which bounds the
+/// energy per mass of what is in the channel.
 const GOALS: [Goal; 16] = [
     goal("mass", "slope", Some(0.995), Some(1.005), is_resolved_tpm),
     goal("grid-mass", "slope", Some(0.995), Some(1.005), is_resolved_tpm),
