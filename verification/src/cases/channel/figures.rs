@@ -26,6 +26,9 @@ const SMOOTH: f64 = 0.1;
 /// A curve of a group: variant, run, label and colour.
 type Shown = (&'static str, &'static str, &'static str, usize);
 
+/// A measure of a column of water.
+type OfColumn = fn(&WaterColumn) -> f64;
+
 /// Groups of runs at 0.4 m/s: TPM by supply and end, and every method.
 const GROUPS: [(&str, &[Shown]); 2] = [
     (
@@ -126,7 +129,8 @@ fn over_time(records: &[RunRecord], title: &str, shown: [(&str, &str, VofTotal);
         for (group, runs) in GROUPS {
             for (name, label, quantity) in shown {
                 let mut curves = own(records, layout, runs, name);
-                if curves.is_empty() {
+                // One run alone stands in the other group.
+                if curves.is_empty() || (group == "flux" && curves.len() < 2) {
                     continue;
                 }
                 for ((spacing, run), style) in outside::RUNS.into_iter().zip(VOF) {
@@ -174,7 +178,7 @@ pub(super) fn surface(records: &[RunRecord]) -> Figure {
     let mut panels = Vec::new();
     let depth = |column: &WaterColumn| column.depth;
     let top = |column: &WaterColumn| column.top;
-    let shown: [(&str, &str, fn(&WaterColumn) -> f64); 2] =
+    let shown: [(&str, &str, OfColumn); 2] =
         [("depth", "depth, m", depth), ("top", "highest water, m", top)];
     for (layout, inlet, is_that_of_vof) in LAYOUTS {
         for (instant, (group, runs)) in
@@ -182,7 +186,8 @@ pub(super) fn surface(records: &[RunRecord]) -> Figure {
         {
             for (name, label, of) in shown {
                 let mut curves = own(records, layout, runs, &picture(name, instant));
-                if curves.is_empty() {
+                // One run alone stands in the other group.
+                if curves.is_empty() || (group == "flux" && curves.len() < 2) {
                     continue;
                 }
                 for curve in &mut curves {
