@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use transpoint::Variant;
 
 use crate::convergence::Order;
-use crate::judge::Check;
+use crate::judge::{Check, Miss};
 use crate::number::nullable;
 use crate::progress::Progress;
 use crate::record::RunRecord;
@@ -216,6 +216,11 @@ pub trait Case: Sync {
     /// Verdicts. A check whose runs are not among the records at all is left out; one whose runs
     /// blew up fails.
     fn checks(&self, records: &[RunRecord]) -> Vec<Check>;
+
+    /// Goals that are known not to be met.
+    fn misses(&self) -> &'static [Miss] {
+        &[]
+    }
 
     /// Observed orders of convergence.
     fn orders(&self, records: &[RunRecord]) -> Vec<Order>;

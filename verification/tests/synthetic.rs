@@ -197,6 +197,7 @@ impl Case for Fragile {
             measured: record.rows[0].value,
             lower: None,
             upper: Some(0.25),
+            miss: None,
         };
         records.iter().map(check).collect()
     }
@@ -274,6 +275,7 @@ fn checks_are_closed_intervals_and_refuse_what_is_not_finite() {
         measured,
         lower,
         upper,
+        miss: None,
     };
     assert!(check(1.0, Some(1.0), Some(1.0)).holds());
     assert!(check(-5.0, None, Some(0.3)).holds());

@@ -42,7 +42,7 @@ use transpoint::{Settings, Variant};
 
 use crate::case::{Case, Findings, RunSpec, Tier};
 use crate::convergence::Order;
-use crate::judge::Check;
+use crate::judge::{Check, Miss};
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
@@ -148,6 +148,10 @@ impl Case for Channel {
 
     fn checks(&self, records: &[RunRecord]) -> Vec<Check> {
         results::checks(records)
+    }
+
+    fn misses(&self) -> &'static [Miss] {
+        &results::MISSES
     }
 
     fn orders(&self, _records: &[RunRecord]) -> Vec<Order> {

@@ -139,6 +139,7 @@ pub fn order_checks(orders: &[Order], bounds: &[LowerBound]) -> Vec<Check> {
             measured: order.order_last,
             lower: Some(bound.least),
             upper: None,
+            miss: None,
         })
     };
     bounds.iter().filter_map(check).collect()

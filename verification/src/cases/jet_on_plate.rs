@@ -38,7 +38,7 @@ use transpoint::{Settings, Variant};
 
 use crate::case::{Case, Findings, RunSpec, Tier};
 use crate::convergence::Order;
-use crate::judge::Check;
+use crate::judge::{Check, Miss};
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
@@ -121,6 +121,10 @@ impl Case for JetOnPlate {
 
     fn checks(&self, records: &[RunRecord]) -> Vec<Check> {
         results::checks(records)
+    }
+
+    fn misses(&self) -> &'static [Miss] {
+        &results::MISSES
     }
 
     fn orders(&self, records: &[RunRecord]) -> Vec<Order> {

@@ -90,7 +90,17 @@ const TIMING_COLUMNS: [&str; 9] = [
 
 /// The verdicts of all cases of a plan.
 pub fn checks(plan: &Plan, records: &[RunRecord]) -> Vec<Check> {
-    plan.cases.iter().flat_map(|case| case.checks(&of_case(records, case.name()))).collect()
+    plan.cases.iter().flat_map(|&case| checks_of(case, &of_case(records, case.name()))).collect()
+}
+
+/// The verdicts of a case on its own records, with what is known to miss.
+fn checks_of(case: &dyn Case, records: &[RunRecord]) -> Vec<Check> {
+    let mut checks = case.checks(records);
+    for check in &mut checks {
+        let miss = case.misses().iter().find(|miss| miss.is_of(check));
+        check.miss = miss.map(|miss| miss.reason);
+    }
+    checks
 }
 
 /// A check with its verdict spelt out, for JSON.
@@ -126,7 +136,7 @@ pub fn write(plan: &Plan, records: &[RunRecord]) -> Result<()> {
             let folder = if artifact.area == Area::Accuracy { &accuracy } else { &timing };
             write_artifact(folder, artifact)?;
         }
-        let checks = case.checks(&own);
+        let checks = checks_of(*case, &own);
         write_whole(
             &accuracy.join("errors").join(format!("{}.csv", case.name())),
             &tidy_csv(&own)?,

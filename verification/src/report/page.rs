@@ -1,7 +1,7 @@
 //! The page that links every figure and table with its verdicts.
 
 use super::{Area, Artifact, CHECK_COLUMNS, Content, EVENT_COLUMNS, check_rows, table};
-use crate::judge::Check;
+use crate::judge::{Check, tally};
 
 /// What the page says about one case.
 #[derive(Clone, Debug)]
@@ -25,11 +25,10 @@ pub fn render(chapters: &[Chapter], events: &[Vec<String>]) -> String {
             .to_owned(),
     ];
     for Chapter { name, about, artifacts, checks } in chapters {
-        let failed = checks.iter().filter(|check| !check.holds()).count();
         parts.push(format!(
             "\n## {name}\n\n{about}.\n\nChecks: {} of {} hold. \
              All errors: [errors/{name}.csv](errors/{name}.csv).\n",
-            checks.len() - failed,
+            tally(checks)[0],
             checks.len(),
         ));
         let shown = |artifact: &&Artifact| artifact.area == Area::Accuracy;
@@ -40,6 +39,7 @@ pub fn render(chapters: &[Chapter], events: &[Vec<String>]) -> String {
             parts.push("\n### Checks\n\n".to_owned());
             let rows = check_rows(checks).into_iter().map(|row| row[1..].to_vec());
             parts.push(table::markdown(&CHECK_COLUMNS[1..], rows));
+            parts.push(reasons(checks));
         }
     }
     if !events.is_empty() {
@@ -47,6 +47,19 @@ pub fn render(chapters: &[Chapter], events: &[Vec<String>]) -> String {
         parts.push(table::markdown(&EVENT_COLUMNS, events.iter().cloned()));
     }
     parts.concat()
+}
+
+/// Why goals are missed, each reason once.
+fn reasons(checks: &[Check]) -> String {
+    let mut reasons: Vec<&str> = Vec::new();
+    for check in checks.iter().filter(|check| check.verdict() == "miss") {
+        reasons.extend(check.miss.filter(|reason| !reasons.contains(reason)));
+    }
+    if reasons.is_empty() {
+        return String::new();
+    }
+    let lines: String = reasons.iter().map(|reason| format!("- {reason}\n")).collect();
+    format!("\nWhat is known of the goals that are missed:\n\n{lines}")
 }
 
 fn embed(artifact: &Artifact) -> String {

@@ -3,7 +3,7 @@
 use super::run::{INSTANTS, picture, vof};
 use super::scene::Flow;
 use crate::case::Profile;
-use crate::judge::Check;
+use crate::judge::{Check, Miss};
 use crate::record::RunRecord;
 use crate::reference::channel::{VofFilm, outline};
 use crate::report::axis::Axis;
@@ -15,6 +15,32 @@ use crate::report::{Area, Artifact, Content};
 /// Bounds set beforehand: area between the outlines and front of TPM, for the flow of the paper.
 const MOST_DIFFERENCE: f64 = 0.05;
 const FRONT: [f64; 2] = [0.97, 1.03];
+
+const fn miss(check: &'static str) -> Miss {
+    Miss {
+        variant: "tpm-vp2",
+        layout: "0.25mm",
+        check,
+        reason: "Film of 1 to 2 mm on cells of 0.25 mm: the front of TPM runs 7 to 9 % behind (`flux`) or 13 % ahead \
+                 at first (`columns`), and the outlines differ by 8 to 15 % of the wetted area, those of the two \
+                 volume-of-fluid runs by 2 to 3 %. On cells of 0.125 mm and with half the relaxation time a trial \
+                 met both goals at 0.05 and 0.10 s (4.8 and 4.6 %), and blew up at 0.16 s.",
+    }
+}
+
+/// Found: differences of 8 to 15 %, fronts of 0.91 to 1.13.
+pub(super) const MISSES: [Miss; 10] = [
+    miss("full-noslip-columns-difference@0.05"),
+    miss("full-noslip-columns-front@0.05"),
+    miss("full-noslip-columns-difference@0.1"),
+    miss("full-noslip-columns-difference@0.17"),
+    miss("full-noslip-flux-difference@0.05"),
+    miss("full-noslip-flux-front@0.05"),
+    miss("full-noslip-flux-difference@0.1"),
+    miss("full-noslip-flux-front@0.1"),
+    miss("full-noslip-flux-difference@0.17"),
+    miss("full-noslip-flux-front@0.17"),
+];
 
 /// Methods of the flow of the paper: variant, supply, label and colour.
 const SHOWN: [(&str, &str, &str, usize); 6] = [
@@ -62,6 +88,7 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
                 measured,
                 lower,
                 upper,
+                miss: None,
             });
         };
         // What else blows up is on record.

@@ -38,6 +38,7 @@ pub(super) fn bounds(records: &[RunRecord], methods: &[(&str, &str)]) -> Vec<Che
         measured: record.row(quantity, "max").map_or(f64::NAN, |row| row.value),
         lower: None,
         upper: Some(most),
+        miss: None,
     };
     let held = records.iter().filter(held);
     held.flat_map(|record| BOUNDS.map(|bound| check(record, bound))).collect()

@@ -54,6 +54,7 @@ fn check(
         measured,
         lower,
         upper,
+        miss: None,
     }
 }
 

@@ -148,6 +148,7 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
         measured,
         lower,
         upper,
+        miss: None,
     };
     let mut checks = Vec::new();
     for goal in &GOALS {

@@ -32,6 +32,7 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
         measured: value(record, "brink", "depth"),
         lower: Some(RATIO * (1.0 - ALLOWED)),
         upper: Some(RATIO * (1.0 + ALLOWED)),
+        miss: None,
     };
     of_method.map(check).collect()
 }

@@ -4,7 +4,7 @@ use super::figures;
 use super::runs::CELLS;
 use crate::cases::errors::{artifact, style};
 use crate::convergence::{Order, series};
-use crate::judge::Check;
+use crate::judge::{Check, Miss};
 use crate::record::RunRecord;
 use crate::report::Artifact;
 use crate::report::Content;
@@ -13,7 +13,8 @@ use crate::report::table::{Cell, Table};
 /// A measure with its bounds: name, quantity, norm, lower, upper.
 type Goal = (&'static str, &'static str, &'static str, Option<f64>, Option<f64>);
 
-/// Set beforehand: force within 2 %, both by the pressure on the plate and by the momentum of the jet, pressure on the plate within 5 % in L2.
+/// Set beforehand: force within 2 %, both by the pressure on the plate and by the momentum of the jet, pressure
+/// on the plate within 5 % in L2.
 const GOALS: [Goal; 3] = [
     ("force", "force", "mean", Some(0.98), Some(1.02)),
     ("force-by-momentum", "force-by-momentum", "mean", Some(0.98), Some(1.02)),
@@ -26,6 +27,16 @@ const FROM_LEVEL: usize = 2;
 /// What the goals are for.
 const CHECKED: [&str; 3] = ["half", "columns", "shift"];
 const METHOD: &str = "tpm-vp2";
+
+/// Found at 16 cells: 0.974.
+pub(super) const MISSES: [Miss; 1] = [Miss {
+    variant: METHOD,
+    layout: "half",
+    check: "force-16-cells",
+    reason: "`half`, force by the pressure at 16 cells: points part at the stagnation point and a void opens there; \
+             it is filled a hundred times from T = 8 on, when the force is 0.96 to 0.97 in place of 0.99. With \
+             points that are pushed apart (`shift`) no void opens and the goal is met.",
+}];
 
 /// Errors whose orders are observed.
 const CONVERGING: [(&str, &str); 2] = [("wall-pressure", "relative-l2"), ("force", "error")];
@@ -58,6 +69,7 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
         measured,
         lower,
         upper,
+        miss: None,
     };
     let mut checks = Vec::new();
     for layout in CHECKED {

@@ -80,6 +80,7 @@ pub(super) fn checks(records: &[RunRecord], orders: &[Order]) -> Vec<Check> {
             measured: order.order,
             lower,
             upper,
+            miss: None,
         }));
     }
     checks.extend(exactness_checks(records));
@@ -103,6 +104,7 @@ fn exactness_checks(records: &[RunRecord]) -> Vec<Check> {
                 measured: row.value,
                 lower: None,
                 upper: Some(EXACT),
+                miss: None,
             }));
         }
     }

@@ -80,6 +80,7 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
             measured: value(record, "pressure", norm),
             lower,
             upper,
+            miss: None,
         })
     };
     GOALS.into_iter().filter_map(check).collect()

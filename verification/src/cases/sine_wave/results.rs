@@ -59,6 +59,7 @@ pub(super) fn checks(records: &[RunRecord], orders: &[Order]) -> Vec<Check> {
             measured: order.order,
             lower,
             upper,
+            miss: None,
         }));
     }
     checks.extend(isotropy_checks(records));
@@ -92,6 +93,7 @@ fn isotropy_checks(records: &[RunRecord]) -> Vec<Check> {
             measured: number::decade_above(largest_difference(turned, along_x)),
             lower: None,
             upper: Some(ISOTROPY),
+            miss: None,
         }));
     }
     checks

@@ -39,6 +39,7 @@ pub(super) fn checks(records: &[RunRecord], orders: &[Order]) -> Vec<Check> {
             measured: order.order,
             lower: Some(ORDER),
             upper: None,
+            miss: None,
         }));
     }
     for method in METHODS.iter().filter(|method| method.name.ends_with("-work")) {
@@ -51,6 +52,7 @@ pub(super) fn checks(records: &[RunRecord], orders: &[Order]) -> Vec<Check> {
                 measured,
                 lower: None,
                 upper: Some(DRIFT),
+                miss: None,
             }));
         }
     }

@@ -50,6 +50,7 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
             measured,
             lower: None,
             upper: Some(upper),
+            miss: None,
         });
     };
     for record in records.iter().filter(|record| record.spec.label("default") == "yes") {
