@@ -101,7 +101,7 @@ const fn shedding(cells_across: usize, level: usize) -> Run {
         cells_across,
         body: Body::Matched,
         length: 10.0,
-        end: 45.0,
+        end: 50.0,
         measured_from: 15.0,
         level,
         tier: Tier::Full,
