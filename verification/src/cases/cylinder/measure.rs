@@ -7,13 +7,13 @@ use crate::number::decade_above;
 /// Pairs of T = t U/D, ascending, and values.
 pub(super) type Curve = [(f64, f64)];
 
-/// Width of the running mean of the forces, T: about six round trips of sound across the cylinder.
+/// Width of the running mean of the forces, T: two round trips of sound across the cylinder.
 pub(super) const SMOOTH: f64 = 0.2;
 /// Fewest periods of shedding that give a Strouhal number.
 pub(super) const PERIODS: usize = 8;
-/// Share of the standard deviation that a lift must reach on either side between two of its crossings, so
-/// that noise about the mean makes none.
-const HYSTERESIS: f64 = 0.5;
+/// Between two of its crossings a lift must lie beyond the mean on either side, so that noise makes none: by
+/// this share of its standard deviation, and by this C_L.
+const HYSTERESIS: (f64, f64) = (0.5, 0.2);
 /// What is below this share is round-off and given by its decade.
 const ROUND_OFF: f64 = 1e-12;
 
@@ -60,10 +60,10 @@ pub(super) fn from(curve: &Curve, start: f64) -> &Curve {
     &curve[curve.partition_point(|point| point.0 < start)..]
 }
 
-/// Instants at which a curve rises through its mean, linear between values. Between two of them it has been
-/// more than half a standard deviation above and below.
+/// Instants at which a curve rises through its mean, linear between values; see [`HYSTERESIS`].
 pub(super) fn upward_crossings(curve: &Curve) -> Vec<f64> {
-    let (center, reach) = (mean(curve), HYSTERESIS * deviation(curve));
+    let center = mean(curve);
+    let reach = (HYSTERESIS.0 * deviation(curve)).max(HYSTERESIS.1);
     let mut found = Vec::new();
     let (mut below, mut candidate) = (false, None);
     for pair in curve.windows(2) {
@@ -206,6 +206,12 @@ mod tests {
     fn noise_about_the_mean_makes_no_crossings() {
         let raw = upward_crossings(&wave(0.3)).len();
         assert!((14..=15).contains(&raw), "{raw}");
+    }
+
+    #[test]
+    fn small_noise_of_a_steady_lift_has_no_frequency() {
+        let noise: Vec<_> = wave(0.0).iter().map(|&(t, y)| (t, 0.2 * (y - 2.0))).collect();
+        assert_eq!(shedding(&noise), None);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use transpoint::variants::{
 use transpoint::{Settings, Variant};
 
 use super::radius::matched_radius;
-use super::scene::{DIAMETER, SOUND_SPEED, spacing, viscosity};
+use super::scene::{DIAMETER, OUTFLOW_TIME, SOUND_SPEED, spacing, viscosity};
 use crate::case::Tier;
 
 /// Viscosity that the share of PIC adds, over that of the fluid: hats with linear interpolation spread a
@@ -101,7 +101,7 @@ const fn shedding(cells_across: usize, level: usize) -> Run {
         cells_across,
         body: Body::Matched,
         length: 10.0,
-        end: 45.0,
+        end: 50.0,
         measured_from: 15.0,
         level,
         tier: Tier::Full,
@@ -159,7 +159,8 @@ pub(super) fn text() -> String {
          {COURANT} of the stable one; pressure slopes in cells limited after Barth and Jespersen; \
          moving least squares over 1 cell, positivity θ = {POSITIVITY}, leverage Λ = {LEVERAGE}; methods \
          that rebuild fields: fractures filled with {FILL:?}, points pushed apart with {SHIFT:?}. c₀ = \
-         {SOUND_SPEED} m/s, 4 points per cell on a lattice at the start. A run whose kinetic energy exceeds \
+         {SOUND_SPEED} m/s, 4 points per cell on a lattice at the start; the outflow relaxes the last D of the \
+         channel in {OUTFLOW_TIME} s. A run whose kinetic energy exceeds \
          {MOST_ENERGY} times that at the start has blown up."
     )
 }

@@ -20,8 +20,12 @@ pub(super) const SPEED: f64 = 1.0;
 pub(super) const DENSITY: f64 = 1.0;
 /// c₀: about ten times the largest speed, which is 2 U beside the cylinder.
 pub(super) const SOUND_SPEED: f64 = 20.0;
-/// Time constant of the outflow, s, and its layers of cells: sound crosses a cell 20 to 40 times meanwhile.
-const RELAXATION: (f64, usize) = (0.02, 4);
+/// Length of the layers in which the outflow relaxes, m.
+pub(super) const OUTFLOW_LAYER: f64 = DIAMETER;
+/// Its time constant, s: a quarter of what sound takes through the layers and back, so that 2 % of it are left.
+/// With too long a one the channel resounds: its quarter wave, 4 L/c₀, is as long as half a period of shedding
+/// where L = 8 D.
+pub(super) const OUTFLOW_TIME: f64 = 0.5 * OUTFLOW_LAYER / SOUND_SPEED;
 /// The flow at the start leaves the cylinder at rest within this distance from its surface.
 const START_LAYER: f64 = DIAMETER;
 
@@ -100,8 +104,8 @@ pub(super) fn scene(parameters: &Parameters) -> Result<Scene<2>, InvalidInput> {
         reference_density: DENSITY,
         sound_speed: SOUND_SPEED,
     };
-    let relaxation =
-        Relaxation { pressure: 0.0, velocity: None, time: RELAXATION.0, layers: RELAXATION.1 };
+    let layers = (OUTFLOW_LAYER / h).round() as usize;
+    let relaxation = Relaxation { pressure: 0.0, velocity: None, time: OUTFLOW_TIME, layers };
     let outflow = Boundary::Outflow { relaxation: Some(relaxation) };
     let grid = GridSpec { origin: [0.0; 2], spacing: [h; 2], cells: [columns, cells_across] };
     let boundaries = [[Boundary::Slip, outflow], [Boundary::NoSlip; 2]];
