@@ -18,6 +18,7 @@ use std::path::Path;
 use anyhow::Result;
 use serde::Serialize;
 
+use crate::case::Case;
 use crate::case::Outcome;
 use crate::convergence::Order;
 use crate::judge::Check;
