@@ -75,8 +75,8 @@ proptest! {
         for k in 0..p.len() {
             let (density, velocity) = linear(p.position[k]);
             near("density", p.density[k], density, 1e-11 * DENSITY).map_err(TestCaseError::fail)?;
-            // Donors give away what the new points have in excess of the donors' mean.
-            let bound = if (p.id[k] as usize) < scene.points.len() { 0.1 } else { 1e-11 };
+            // New points have the mean velocity of those that gave them mass.
+            let bound = if (p.id[k] as usize) < scene.points.len() { 1e-11 } else { 0.1 };
             for axis in 0..2 {
                 near("velocity", p.velocity[k][axis], velocity[axis], bound)
                     .map_err(TestCaseError::fail)?;

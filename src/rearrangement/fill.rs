@@ -28,8 +28,6 @@ where
         }
         self.counters.n_fracture_cells += n_fractures as u64;
         let mut event = Event::new(self.time, EventKind::Fill);
-        kept.excess.clear();
-        kept.excess.resize(self.particles.len(), [T::zero(); D]);
         for fracture in 0..n_fractures {
             let cell = kept.survey.fractures[fracture];
             let start = kept.fresh.len();
@@ -45,23 +43,7 @@ where
             }
         }
         self.counters.n_points_filled += event.n_added;
-        if event.n_cells > 0 {
-            self.take_excess(kept, &mut event);
-        }
         self.finish(event, kept);
-    }
-
-    /// Takes the excess of momentum of the new points from those that gave mass, now that no fit needs
-    /// their velocities any more.
-    fn take_excess(&mut self, kept: &RearrangerOf<T, D, M, K>, event: &mut Event<D>) {
-        let zero = [T::zero(); D];
-        for (point, excess) in kept.excess.iter().enumerate().filter(|(_, e)| **e != zero) {
-            self.add_totals(&self.particles, point, &mut event.before);
-            for axis in 0..D {
-                self.particles.velocity[point][axis] -= excess[axis] / self.particles.mass[point];
-            }
-            self.add_totals(&self.particles, point, &mut event.after);
-        }
     }
 
     /// Fills one cell, unless a field or mass is wanting.
@@ -98,8 +80,8 @@ where
     /// Takes the mass of new points from those around a cell: as much as wanted, at most half of what there
     /// is. Whether there is any.
     ///
-    /// What the new points have of the momentum beyond the share that is that of their mass, the others will
-    /// lose, all by the same change of velocity.
+    /// The new points get the momentum of what they are given, by the same change of all of their velocities;
+    /// those that give keep theirs, however little mass they have left.
     fn collect(
         &mut self,
         cell: u32,
@@ -142,17 +124,14 @@ where
             }
         }
         let (mut received, mut carried) = (T::zero(), [T::zero(); D]);
-        for point in new {
+        for point in new.clone() {
             fresh.mass[point] *= taken / wanted;
             add_momentum(fresh, point, (&mut received, &mut carried));
         }
-        for slot in (0..slots.len()).filter_map(donors) {
-            for point in self.cells.points(slot) {
-                let part = self.particles.mass[point] / (present - taken);
-                for axis in 0..D {
-                    let excess = carried[axis] - momentum[axis] * (taken / present);
-                    kept.excess[point][axis] += part * excess;
-                }
+        for axis in 0..D {
+            let change = momentum[axis] / present - carried[axis] / received;
+            for point in new.clone() {
+                fresh.velocity[point][axis] += change;
             }
         }
         true

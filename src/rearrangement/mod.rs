@@ -32,8 +32,6 @@ pub struct Rearranger<T, const D: usize, A, S> {
     survey: Survey,
     fresh: Particles<T, D, A, S>,
     moved: Vec<shift::Moved<T, D, S>>,
-    /// Momentum that fills still take from the points, kg m/s.
-    excess: Vec<[T; D]>,
     n_steps: u32,
     next_id: u32,
     initial_mass: f64,
@@ -82,7 +80,6 @@ where
             survey: Survey::new(&self.grid),
             fresh: Particles::default(),
             moved: Vec::new(),
-            excess: Vec::new(),
             n_steps: 0,
             next_id: self.next_id,
             initial_mass: p.mass.iter().map(|mass| mass.as_f64()).sum(),

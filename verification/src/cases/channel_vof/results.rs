@@ -21,18 +21,19 @@ const fn miss(check: &'static str) -> Miss {
         variant: "tpm-vp2",
         layout: "0.25mm",
         check,
-        reason: "Film of 1 to 2 mm on cells of 0.25 mm: the front of TPM runs 7 to 9 % behind (`flux`) or 13 % ahead \
-                 at first (`columns`), and the outlines differ by 8 to 15 % of the wetted area, those of the two \
+        reason: "Film of 1 to 2 mm on cells of 0.25 mm: the front of TPM is 3 to 7 % behind (`flux`) or up to 11 % ahead \
+                 (`columns`), and the outlines differ by 8 to 15 % of the wetted area, those of the two \
                  volume-of-fluid runs by 2 to 3 %. On cells of 0.125 mm and with half the relaxation time a trial \
                  met both goals at 0.05 and 0.10 s (4.8 and 4.6 %), and blew up at 0.16 s.",
     }
 }
 
-/// Found: differences of 8 to 15 %, fronts of 0.91 to 1.13.
-pub(super) const MISSES: [Miss; 10] = [
+/// Found: differences of 8 to 15 %, fronts of 0.93 to 1.11.
+pub(super) const MISSES: [Miss; 11] = [
     miss("full-noslip-columns-difference@0.05"),
     miss("full-noslip-columns-front@0.05"),
     miss("full-noslip-columns-difference@0.1"),
+    miss("full-noslip-columns-front@0.1"),
     miss("full-noslip-columns-difference@0.17"),
     miss("full-noslip-flux-difference@0.05"),
     miss("full-noslip-flux-front@0.05"),
