@@ -58,14 +58,14 @@ fn channel<const D: usize>(cells: [usize; D], inlet: InletSpec<D>) -> Scene<D> {
 /// Fills the layers of cells that the inlet leaves free.
 fn filled<const D: usize>(mut scene: Scene<D>) -> Scene<D> {
     let (cells, inlet) = (scene.grid.cells, scene.inlets[0]);
-    let layers = if inlet.supply == Supply::Flux { 1 } else { 2 };
+    let layers = if inlet.supply == Supply::Flux { 1.0 } else { 2.0 };
     let mut block = Block::<D>::full(4, Boundary::Slip);
     block.cells = cells;
     block.fluid = std::array::from_fn(|axis| [0.0, cells[axis] as f64]);
     if inlet.side == Side::Lower {
-        block.fluid[0][0] = layers as f64;
+        block.fluid[0][0] = layers;
     } else {
-        block.fluid[0][1] -= layers as f64;
+        block.fluid[0][1] -= layers;
     }
     scene.points = block.scene().points;
     for point in &mut scene.points {

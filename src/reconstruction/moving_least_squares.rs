@@ -79,8 +79,8 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
         simd: S,
         cloud: &Cloud<'_, T, D>,
         target: [T; D],
-        own: Own<impl Fn([T::Four<S>; D]) -> T::Four<S>, T>,
-        field: P,
+        own: &Own<impl Fn([T::Four<S>; D]) -> T::Four<S>, T>,
+        field: &P,
     ) -> Fit<P::Field>
     where
         B: PolynomialBasis<T, D>,
@@ -101,8 +101,8 @@ impl<B, T: Scalar> MovingLeastSquares<B, T> {
         simd: S,
         cloud: &Cloud<'_, T, D>,
         target: [T; D],
-        own: Own<impl Fn([T::Four<S>; D]) -> T::Four<S>, T>,
-        field: P,
+        own: &Own<impl Fn([T::Four<S>; D]) -> T::Four<S>, T>,
+        field: &P,
         system: &mut B::System<S>,
     ) where
         B: PolynomialBasis<T, D>,
@@ -202,7 +202,7 @@ where
                 own
             },
         );
-        self.fit(simd, cloud, target, own, field)
+        self.fit(simd, cloud, target, &own, &field)
     }
 
     /// Points belong to a node by their hat weight.
@@ -226,6 +226,6 @@ where
                 hat
             },
         );
-        self.fit(simd, cloud, node, own, field)
+        self.fit(simd, cloud, node, &own, &field)
     }
 }

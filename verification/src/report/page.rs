@@ -58,8 +58,8 @@ fn reasons(checks: &[Check]) -> String {
     if reasons.is_empty() {
         return String::new();
     }
-    let lines: String = reasons.iter().map(|reason| format!("- {reason}\n")).collect();
-    format!("\nWhat is known of the goals that are missed:\n\n{lines}")
+    let lines: Vec<String> = reasons.iter().map(|reason| format!("- {reason}\n")).collect();
+    format!("\nWhat is known of the goals that are missed:\n\n{}", lines.concat())
 }
 
 fn embed(artifact: &Artifact) -> String {

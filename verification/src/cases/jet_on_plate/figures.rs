@@ -122,7 +122,7 @@ pub(super) fn convergence(records: &[RunRecord]) -> Figure {
         });
         panels.push(Panel {
             title: "means over 6 < T < 12".to_owned(),
-            x: Axis::log("cell size h, m").with_ticks([0.003125, 0.00625, 0.0125, 0.025]),
+            x: Axis::log("cell size h, m").with_ticks([0.003_125, 0.006_25, 0.012_5, 0.025]),
             y: Axis::log(label),
             legend: "run (order)".to_owned(),
             curves: curves.collect(),

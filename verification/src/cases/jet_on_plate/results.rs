@@ -3,7 +3,7 @@
 use super::figures;
 use super::runs::CELLS;
 use crate::cases::errors::{artifact, style};
-use crate::convergence::{Order, series};
+use crate::convergence::{Order, Series, series};
 use crate::judge::{Check, Miss};
 use crate::record::RunRecord;
 use crate::report::Artifact;
@@ -98,7 +98,7 @@ pub(super) fn orders(records: &[RunRecord]) -> Vec<Order> {
     let is_error = |order: &Order| {
         order.levels > 1 && CONVERGING.contains(&(order.quantity.as_str(), order.norm.as_str()))
     };
-    series(records).iter().map(|series| series.order()).filter(is_error).collect()
+    series(records).iter().map(Series::order).filter(is_error).collect()
 }
 
 /// Figures and tables.

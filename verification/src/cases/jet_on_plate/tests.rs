@@ -67,7 +67,7 @@ fn the_box_holds_the_exact_flow_at_the_start() {
 #[test]
 fn measures_of_the_exact_flow_are_exact() {
     let measured = |cells: usize, whole: bool| {
-        let parameters = Parameters { cells, whole, ..parameters() };
+        let parameters = Parameters { whole, cells, ..parameters() };
         let scene = scene(&parameters);
         let simulation =
             parameters.variant.build_2d(&scene, &parameters.settings).expect("a valid scene");
