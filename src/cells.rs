@@ -4,6 +4,7 @@ use crate::Scalar;
 use crate::grid::Grid;
 use crate::math::Field;
 use crate::particles::Particles;
+use crate::shape::Bare;
 
 /// Marks a cell or node that is not stored.
 pub const ABSENT: u32 = u32::MAX;
@@ -114,6 +115,21 @@ impl Cells {
     #[inline(always)]
     pub fn is_solid(&self, cell: usize) -> bool {
         self.solid.get(cell).is_some_and(|&solid| solid)
+    }
+
+    /// Which neighbours of a cell hold neither points nor a body; those beyond walls do not count.
+    #[inline(always)]
+    pub fn bare<T: Scalar, const D: usize>(&self, grid: &Grid<T, D>, cell: [usize; D]) -> Bare {
+        let mut bare = Bare::default();
+        for axis in 0..D {
+            for side in 0..2 {
+                let mut shift = [0; D];
+                shift[axis] = 2 * side as i32 - 1;
+                let neighbor = grid.neighbor(cell, shift);
+                bare.0[axis][side] = neighbor.is_some_and(|cell| self.is_vacant(cell));
+            }
+        }
+        bare
     }
 
     /// Points of an active cell.

@@ -74,11 +74,36 @@ where
     }
     let mid = units.start + units.len() / 2;
     let (left, right) = data.split(cut(mid) - cut(units.start));
-    let (a, b) = rayon::join(
-        || recurse(units.start..mid, grain, left, cut, work, combine),
-        || recurse(mid..units.end, grain, right, cut, work, combine),
+    let (mut left, mut right) = (Half::Waiting(left), Half::Waiting(right));
+    join(
+        &mut || left.run(|data| recurse(units.start..mid, grain, data, cut, work, combine)),
+        &mut || right.run(|data| recurse(mid..units.end, grain, data, cut, work, combine)),
     );
-    combine(a, b)
+    match (left, right) {
+        (Half::Done(a), Half::Done(b)) => combine(a, b),
+        _ => unreachable!("both halves have run"),
+    }
+}
+
+/// One of two halves, before and after.
+enum Half<V, R> {
+    Waiting(V),
+    Running,
+    Done(R),
+}
+
+impl<V, R> Half<V, R> {
+    fn run(&mut self, work: impl FnOnce(V) -> R) {
+        if let Self::Waiting(data) = std::mem::replace(self, Self::Running) {
+            *self = Self::Done(work(data));
+        }
+    }
+}
+
+/// [`rayon::join`] without type parameters: it is compiled once, not once for every loop.
+#[inline(never)]
+fn join(left: &mut (dyn FnMut() + Send), right: &mut (dyn FnMut() + Send)) {
+    rayon::join(left, right);
 }
 
 /// [`fold_blocks`] without a result, one element of `data` per unit.

@@ -134,9 +134,9 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         }
     }
 
-    /// All fields that a step changes, as one view that can be cut at a point.
-    pub fn view(&mut self) -> ParticlesMut<'_, T, D, A, S> {
-        ParticlesMut {
+    /// All fields that a step changes, as one view that can be cut at a point, and the lengths.
+    pub fn view(&mut self) -> (ParticlesMut<'_, T, D, A, S>, &[[T; D]]) {
+        let points = ParticlesMut {
             cell: &mut self.cell,
             position: &mut self.position,
             velocity: &mut self.velocity,
@@ -144,7 +144,8 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
             affine: &mut self.affine,
             state: &mut self.state,
             id: &self.id,
-        }
+        };
+        (points, &self.length)
     }
 }
 

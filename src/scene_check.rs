@@ -200,6 +200,11 @@ where
         ("most_points", settings.most_points.is_some() && !reconstructs, rebuilt),
         ("shift", settings.shift.is_some() && !reconstructs, rebuilt),
         (
+            "overfill",
+            settings.overfill.is_some() && reconstructs,
+            "absent, or a method with carried values",
+        ),
+        (
             "split",
             settings.split.is_some() && reconstructs,
             "absent, or a method with carried values",

@@ -36,6 +36,16 @@ pub struct Settings {
     pub bulk_viscosity: Option<BulkViscosity>,
     /// How the internal energy is updated, where the scene has one.
     pub energy_update: EnergyUpdate,
+    /// Node velocities by a series for the inverse of the full mass matrix, as in XPIC and FMPM; absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projection: Option<Projection>,
+    /// Share f of the nodes' mean in the divergence of a point (volume-averaged F-bar), 0 to 1; absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dilation: Option<f64>,
+    /// δ of the diffusion of density between cells (velocity-pressure formulation), above 0, at most 0.25;
+    /// absent: off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub density_diffusion: Option<f64>,
     /// Points added, taken away, moved or split between steps; absent: off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rearrangement: Option<Rearrangement>,
@@ -56,6 +66,9 @@ impl Default for Settings {
             pressure_limiter: None,
             bulk_viscosity: None,
             energy_update: EnergyUpdate::Strain,
+            projection: None,
+            dilation: None,
+            density_diffusion: None,
             rearrangement: None,
         }
     }
@@ -82,6 +95,8 @@ impl Settings {
         };
         let leverage = self.leverage.unwrap_or(1.0);
         let length = self.gimp_length;
+        let (dilation, delta) =
+            (self.dilation.unwrap_or(0.0), self.density_diffusion.unwrap_or(0.1));
         let BulkViscosity { linear, quadratic, .. } = self.bulk_viscosity.unwrap_or_default();
         let checks = [
             ("blend", blend, blend_allowed, blend_holds),
@@ -100,6 +115,8 @@ impl Settings {
             ),
             ("leverage", leverage, "a positive number", leverage > 0.0),
             ("gimp_length", length, "0 < length ≤ 1 cell", length > 0.0 && length <= 1.0),
+            ("dilation", dilation, "a share from 0 to 1", (0.0..=1.0).contains(&dilation)),
+            ("density_diffusion", delta, "0 < δ ≤ 0.25", delta > 0.0 && delta <= 0.25),
             ("bulk_viscosity.linear", linear, "a number from 0 on", linear >= 0.0),
             ("bulk_viscosity.quadratic", quadratic, "a number from 0 on", quadratic >= 0.0),
         ];
@@ -108,6 +125,7 @@ impl Settings {
                 return Err(InvalidInput::new(format!("settings.{field}"), value, allowed));
             }
         }
+        self.projection.map_or(Ok(()), |projection| projection.check())?;
         self.rearrangement.map_or(Ok(()), |rearrangement| rearrangement.check())
     }
 }
@@ -149,6 +167,51 @@ pub struct BulkViscosity {
     pub expansion: bool,
 }
 
+/// Node velocities by the first terms of a series for the inverse of the full mass matrix, which the points take
+/// up whole; see [`ProjectionKind`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Projection {
+    /// What the series is applied to.
+    pub kind: ProjectionKind,
+    /// Number of terms k; 1 is PIC.
+    pub order: u32,
+    /// Steps from one application to the next; in those between the blend of the settings holds.
+    pub interval: u32,
+}
+
+impl Projection {
+    /// Most terms: the series is an alternating one, and loses its digits with many.
+    pub const MAX_ORDER: u32 = 20;
+
+    /// Checks both numbers against their ranges.
+    ///
+    /// # Errors
+    /// Names the first one out of range, its value and what is allowed.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        let most = Self::MAX_ORDER;
+        if !(1..=most).contains(&self.order) {
+            let allowed = format!("1 to {most} terms");
+            return Err(InvalidInput::new("settings.projection.order", self.order, allowed));
+        }
+        if self.interval == 0 {
+            let allowed = "at least 1 step";
+            return Err(InvalidInput::new("settings.projection.interval", self.interval, allowed));
+        }
+        Ok(())
+    }
+}
+
+/// What a projection is applied to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProjectionKind {
+    /// The velocity before the forces; their change is added as it is: XPIC, \[Hammerquist2017\].
+    Velocity,
+    /// The velocity after the forces: FMPM, \[Nairn2021\].
+    All,
+}
+
 /// How a point's internal energy changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -176,6 +239,9 @@ pub struct Rearrangement {
     /// Points split where they stand for too much fluid; methods with carried values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub split: Option<Split>,
+    /// Points pushed out of overfull nodes; methods with carried values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overfill: Option<Overfill>,
 }
 
 impl Rearrangement {
@@ -195,11 +261,13 @@ impl Rearrangement {
             None => 1.0,
         };
         let most_points = self.most_points.unwrap_or(1);
+        let overfill = self.overfill.map_or(1, |overfill| overfill.interval);
         let checks = [
             ("fill.mass", budget, "a share of the initial mass from 0 on", budget >= 0.0),
             ("most_points", f64::from(most_points), "at least 1 point", most_points > 0),
             ("shift.strength", strength, "0 < strength ≤ 1", strength > 0.0 && strength <= 1.0),
             ("shift.interval", f64::from(interval), "at least 1 step", interval > 0),
+            ("overfill.interval", f64::from(overfill), "at least 1 step", overfill > 0),
             ("split", ratio, "a ratio to the cell size of at least 0.25", ratio >= 0.25),
         ];
         for (field, value, allowed, holds) in checks {
@@ -252,6 +320,14 @@ pub enum FillMass {
 pub struct Shift {
     /// Largest displacement in halves of the smallest cell size.
     pub strength: f64,
+    /// Steps from one application to the next.
+    pub interval: u32,
+}
+
+/// Points are pushed out of nodes with more volume than room, after \[Baumgarten2023\].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Overfill {
     /// Steps from one application to the next.
     pub interval: u32,
 }

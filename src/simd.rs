@@ -38,34 +38,47 @@ pub fn align_stack() {
     std::hint::black_box(&aligned);
 }
 
-/// Evaluates an expression with `$simd` bound to the best token of this machine.
+/// Whether there is more than one dimension, as a constant on its own.
+pub struct InSpace<const D: usize>;
+
+impl<const D: usize> InSpace<D> {
+    /// Whether there is.
+    pub const HOLDS: bool = D > 1;
+}
+
+/// Evaluates an expression with `$simd` bound to the best token of this machine. In one dimension, where there is
+/// little to gain, only the baseline is compiled.
 macro_rules! vectorized {
-    ($simd:ident => $operation:expr) => {{
+    ($dimension:expr, $simd:ident => $operation:expr) => {'dispatch: {
         let level = $crate::simd::level();
         #[cfg(target_arch = "x86_64")]
         {
             use $crate::simd::Simd as _;
-            if let Some($simd) = level.as_avx512() {
-                $simd.vectorize(
-                    #[inline(always)]
-                    || {
-                        $crate::simd::align_stack();
-                        $operation
-                    },
-                )
-            } else if let Some($simd) = level.as_avx2() {
-                $simd.vectorize(
-                    #[inline(always)]
-                    || {
-                        $crate::simd::align_stack();
-                        $operation
-                    },
-                )
-            } else if let Some($simd) = level.as_sse2() {
-                $operation
-            } else {
-                unreachable!("every x86-64 processor has SSE2")
+            // Two plain conditions, so that the compiler drops the branch before it compiles what is in it.
+            if $crate::simd::InSpace::<{ $dimension }>::HOLDS {
+                if let Some($simd) = level.as_avx512() {
+                    break 'dispatch $simd.vectorize(
+                        #[inline(always)]
+                        || {
+                            $crate::simd::align_stack();
+                            $operation
+                        },
+                    );
+                }
+                if let Some($simd) = level.as_avx2() {
+                    break 'dispatch $simd.vectorize(
+                        #[inline(always)]
+                        || {
+                            $crate::simd::align_stack();
+                            $operation
+                        },
+                    );
+                }
             }
+            let Some($simd) = level.as_sse2() else {
+                unreachable!("every x86-64 processor has SSE2")
+            };
+            $operation
         }
         #[cfg(not(target_arch = "x86_64"))]
         {

@@ -116,6 +116,12 @@ pub trait Simulation<const D: usize>: Send {
     fn bytes_per_point(&self) -> usize;
 }
 
+/// Points in order of their identifiers; compiled once per dimension.
+fn in_order<const D: usize>(mut points: Vec<PointState<D>>) -> Vec<PointState<D>> {
+    points.sort_unstable_by_key(|point| point.id);
+    points
+}
+
 impl<T, const D: usize, M, K> Simulation<D> for Solver<T, D, M, K>
 where
     T: Scalar,
@@ -141,8 +147,7 @@ where
     fn observe(&self) -> Observation<D> {
         let mut points = Vec::with_capacity(self.particles.len());
         self.visit_points(&mut |point| points.push(*point));
-        points.sort_unstable_by_key(|point| point.id);
-        Observation { time: self.time, points }
+        Observation { time: self.time, points: in_order(points) }
     }
 
     fn visit_points(&self, visit: &mut dyn FnMut(&PointState<D>)) {

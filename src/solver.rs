@@ -24,6 +24,7 @@ use crate::scene_check::{
 };
 use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
+use crate::smoothing::SmootherOf;
 use crate::step::{
     AffineOf, CellMean, CellSamples, Center, GridState, NodeForces, ParticlesOf, Pass, Physics,
     ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse, gather_columns,
@@ -68,6 +69,7 @@ where
     pub(crate) survey_is_stale: bool,
     pub(crate) inflow: Option<Box<InflowOf<T, D, M, K>>>,
     pub(crate) bodies: Option<Box<Bodies<T, D>>>,
+    pub(crate) smoother: Option<Box<SmootherOf<T, D, M>>>,
     /// Number of the next new point.
     pub(crate) next_id: u32,
     /// Mass by the quadrature of the last step, where points were sorted since, kg.
@@ -75,10 +77,11 @@ where
     /// What fits read of the points, as they were when it was last brought up to date.
     pub columns: Columns<T>,
     means: Vec<CellMean<T, D>>,
-    sites: Vec<[T; D]>,
+    pub(crate) sites: Vec<[T; D]>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
-    divergence: Vec<T>,
-    strain_is_rebuilt: bool,
+    pub(crate) divergence: Vec<T>,
+    pub(crate) strain_is_rebuilt: bool,
+    takes_all: bool,
 }
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
@@ -139,6 +142,7 @@ where
             survey_is_stale: true,
             inflow: None,
             bodies: None,
+            smoother: None,
             next_id: scene.points.len() as u32,
             grid_mass_before: 0.0,
             columns: Columns::default(),
@@ -147,9 +151,11 @@ where
             spare: Particles::default(),
             divergence: Vec::new(),
             strain_is_rebuilt: false,
+            takes_all: false,
         };
         solver.open_inlets(scene)?;
         solver.place_bodies(scene)?;
+        solver.set_lengths(false);
         solver.bin_particles();
         Ok(solver)
     }
@@ -309,6 +315,7 @@ where
         if physics.material.wants_work() {
             increment_energy::<T, D>(increment);
         }
+        self.takes_all = self.project_velocity();
     }
 
     /// The state update takes its strain from the velocity at the end of the step (USL).
@@ -320,18 +327,11 @@ where
     /// The state update takes its strain from node velocities rebuilt from the points as they are:
     /// before the forces (USF) or after them (MUSL).
     pub fn strain_from_points(&mut self) {
-        gather_columns::<T, D, M, K>(&self.particles, &mut self.columns);
-        let Self { method, physics, grid, cells, particles, columns, .. } = self;
-        let view = View { method, physics, grid, cells, particles, columns };
-        let (nodes, centers, sites) = (&mut self.nodes, &mut self.centers, &mut self.sites);
-        let parts = (ScatterParts::Momentum, T::zero());
-        let samples = CellSamples { centers, sites };
-        let mut counters = particles_to_grid(&view, samples, parts, nodes);
-        let Nodes { index, transfer, rebuilt, walls, held, .. } = nodes;
-        rebuilt.resize(index.len(), [T::zero(); 4]);
-        counters = counters.sum(node_velocity(&view, index, transfer, rebuilt));
-        constrain((walls, held), &physics.boundaries, rebuilt, None);
-        self.counters = self.counters.sum(counters);
+        let mut rebuilt = std::mem::take(&mut self.nodes.rebuilt);
+        self.transfer_velocity(&mut rebuilt);
+        let fixed = (self.nodes.walls.as_slice(), self.nodes.held.as_slice());
+        constrain(fixed, &self.physics.boundaries, &mut rebuilt, None);
+        self.nodes.rebuilt = rebuilt;
         self.strain_is_rebuilt = true;
         self.update_divergence();
     }
@@ -339,12 +339,14 @@ where
     /// One divergence per cell, where the formulation asks for it.
     fn update_divergence(&mut self) {
         if !self.uses_cells() {
+            self.average_dilation();
             return;
         }
         let Self { method, grid, cells, nodes, sites, divergence: values, .. } = self;
         let velocity = if self.strain_is_rebuilt { &nodes.rebuilt } else { &nodes.velocity };
         values.resize(cells.len(), T::zero());
         divergence((grid, cells, &method.shape()), (&nodes.rows, sites), velocity, values);
+        self.diffuse_density();
     }
 
     /// Nodes and cells → points.
@@ -358,10 +360,24 @@ where
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
         let rebuilt = self.strain_is_rebuilt;
         let velocity = if rebuilt { &nodes.rebuilt } else { &nodes.velocity };
-        let source = StateSource { velocity, is_end_velocity: !rebuilt, divergence };
+        let at_points = self.smoother.as_ref().map_or(&[][..], |kept| &kept.divergence);
+        let source = StateSource { velocity, is_end_velocity: !rebuilt, divergence, at_points };
         let Nodes { rows, velocity, increment, .. } = &*nodes;
-        let state = GridState { method, physics, grid, cells, rows, velocity, increment, source };
-        let outcome = grid_to_particles(&state, pass, dt, particles.view());
+        let flip_share = if self.takes_all { T::zero() } else { method.transfer().flip_share(dt) };
+        let (points, length) = particles.view();
+        let state = GridState {
+            method,
+            physics,
+            grid,
+            cells,
+            length,
+            flip_share,
+            rows,
+            velocity,
+            increment,
+            source,
+        };
+        let outcome = grid_to_particles(&state, pass, dt, points);
         self.counters.n_points_removed += outcome.n_removed;
         if outcome.n_removed > 0 {
             self.let_out();

@@ -1,12 +1,52 @@
 //! The nodes around a point, row by row.
 
 use crate::Scalar;
+use crate::cells::Cells;
 use crate::grid::Grid;
 use crate::shape::{AxisPosition, MAX_WIDTH, Row, ShapeFunction};
 use crate::simd::{Simd, SimdBase as _, lanes, load, splat};
 
 /// Rows of shape functions of one point, with derivatives per metre.
 pub type Rows<T, const D: usize> = [Row<T>; D];
+
+/// The shape functions in a cell, where they depend on its neighbours.
+#[inline(always)]
+pub fn shape_in_cell<T: Scalar, const D: usize, S: ShapeFunction<T>>(
+    shape: &S,
+    grid: &Grid<T, D>,
+    cells: &Cells,
+    cell: [usize; D],
+) -> S {
+    if shape.looks_around() { shape.beside(cells.bare(grid, cell)) } else { *shape }
+}
+
+/// The shape functions of a point, where they depend on its lengths (m).
+#[inline(always)]
+pub fn shape_at_point<T: Scalar, const D: usize, S: ShapeFunction<T>>(
+    shape: &S,
+    grid: &Grid<T, D>,
+    length: &[[T; D]],
+    point: usize,
+) -> S {
+    if !shape.stretches() {
+        return *shape;
+    }
+    let mut in_cells = [T::one(); 3];
+    for axis in 0..D {
+        in_cells[axis] = length[point][axis] * grid.inverse_spacing[axis];
+    }
+    shape.stretched(in_cells)
+}
+
+/// Derivatives along each axis, 1/m.
+#[inline(always)]
+pub fn gradients<T: Scalar, const D: usize>(rows: &Rows<T, D>) -> [[T; MAX_WIDTH]; D] {
+    let mut gradients = [[T::zero(); MAX_WIDTH]; D];
+    for axis in 0..D {
+        gradients[axis] = rows[axis].gradient;
+    }
+    gradients
+}
 
 /// Evaluates the shape functions at a position within a known cell.
 #[inline(always)]
@@ -18,7 +58,7 @@ pub fn rows_at<T: Scalar, const D: usize, S: ShapeFunction<T>>(
 ) -> Rows<T, D> {
     let mut rows = [Row::zero(); D];
     for axis in 0..D {
-        rows[axis] = shape.row(grid.axis_position(position, cell, axis));
+        rows[axis] = shape.row_along(axis, grid.axis_position(position, cell, axis));
         for k in 0..S::WIDTH {
             rows[axis].gradient[k] *= grid.inverse_spacing[axis];
         }

@@ -37,6 +37,10 @@ pub struct Counters {
     pub n_points_returned: u64,
     /// Σ over steps of the points relaxed at outflows.
     pub n_points_relaxed: u64,
+    /// Steps in which the nodes' velocity was projected.
+    pub n_projections: u64,
+    /// Σ over steps of the lengths of points that were kept within their bounds.
+    pub n_lengths_limited: u64,
     /// Σ over steps of the numerical fractures found where they are filled.
     pub n_fracture_cells: u64,
     /// Points put into numerical fractures.
@@ -73,6 +77,8 @@ impl Counters {
             n_points_entered: self.n_points_entered + other.n_points_entered,
             n_points_returned: self.n_points_returned + other.n_points_returned,
             n_points_relaxed: self.n_points_relaxed + other.n_points_relaxed,
+            n_projections: self.n_projections + other.n_projections,
+            n_lengths_limited: self.n_lengths_limited + other.n_lengths_limited,
             n_fracture_cells: self.n_fracture_cells + other.n_fracture_cells,
             n_points_filled: self.n_points_filled + other.n_points_filled,
             n_fills_refused: self.n_fills_refused + other.n_fills_refused,
@@ -83,7 +89,7 @@ impl Counters {
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 23] {
+    pub fn entries(&self) -> [(&'static str, u64); 25] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -102,6 +108,8 @@ impl Counters {
             ("n_points_entered", self.n_points_entered),
             ("n_points_returned", self.n_points_returned),
             ("n_points_relaxed", self.n_points_relaxed),
+            ("n_projections", self.n_projections),
+            ("n_lengths_limited", self.n_lengths_limited),
             ("n_fracture_cells", self.n_fracture_cells),
             ("n_points_filled", self.n_points_filled),
             ("n_fills_refused", self.n_fills_refused),

@@ -1,102 +1,261 @@
-//! The named recipes: the only place where the generic solver becomes concrete.
+//! The named methods: which parts each is put together from, and what it fixes of the settings.
+
+mod build;
+mod parts;
 
 use serde::{Deserialize, Serialize};
 
-use crate::basis::{self, Limiters, PolynomialBasis};
-use crate::equation_of_state::EquationOfState;
 use crate::error::InvalidInput;
 use crate::formulation::{Formulation, PointDivergence};
-use crate::material::{Deviatoric, General, Inviscid, Material};
-use crate::method::{Method, Scheme};
-use crate::quadrature::{Mixed, Particle};
-use crate::reconstruction::{Carried, MovingLeastSquares};
-use crate::scene::Scene;
 pub use crate::settings::{
-    Blend, BoundaryCriterion, BulkViscosity, EnergyUpdate, Fill, FillMass, FillPoints, PointVolume,
-    PressureLimiter, Rearrangement, Settings, Shift, Split, StressUpdate,
+    Blend, BoundaryCriterion, BulkViscosity, EnergyUpdate, Fill, FillMass, FillPoints, Overfill,
+    PointVolume, PressureLimiter, Projection, ProjectionKind, Rearrangement, Settings, Shift,
+    Split, StressUpdate,
 };
-use crate::shape::{CubicBspline, Gimp, Linear, QuadraticBspline, ShapeFunction};
-use crate::simulation::Simulation;
-use crate::solver::Solver;
-use crate::transfer::{Apic, Flip};
+pub use parts::{Fields, Kernel, Parts, TransferKind};
 
-/// A named method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Variant {
+/// f of the volume-averaged F-bar, as in \[Zhao2023\].
+const FBAR: f64 = 0.99;
+/// δ of the density diffusion, as is usual in δ-SPH, \[Antuono2010\].
+const DIFFUSION: f64 = 0.1;
+/// Stretch in cells at which a point is split.
+const SPLIT: f64 = 1.5;
+
+const STANDARD: Formulation = Formulation::Standard;
+const CONSTANT: Formulation = Formulation::VelocityPressure(PointDivergence::Constant);
+const QUADRATIC: Formulation = Formulation::VelocityPressure(PointDivergence::Quadratic);
+/// Velocity-pressure with the divergence at the points that the settings name.
+const AS_SET: Formulation = Formulation::VelocityPressure(PointDivergence::VertexMean);
+
+fn split_by_stretch(settings: &mut Settings) {
+    let rearrangement = settings.rearrangement.get_or_insert_default();
+    rearrangement.split = Some(Split::Stretch(SPLIT));
+}
+
+fn shift_by_overfill(settings: &mut Settings) {
+    let rearrangement = settings.rearrangement.get_or_insert_default();
+    rearrangement.overfill = Some(Overfill { interval: 1 });
+}
+
+/// Defines the variants: one entry each, in the order of tables and legends.
+macro_rules! variants {
+    ($(
+        $(#[$doc:meta])*
+        $variant:ident = $name:literal, $about:literal,
+            [$kernel:ident, $fields:ident, $transfer:ident, $formulation:ident], $fixes:expr;
+    )*) => {
+        /// A named method.
+        #[derive(
+            Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+        )]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Variant {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl Variant {
+            /// Every variant, in the order of tables and legends.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
+
+            /// Identifier in command lines, tables and file names.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+
+            /// One-line description with its source keys.
+            pub const fn about(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $about,)*
+                }
+            }
+
+            /// What it is put together from.
+            pub fn parts(self) -> Parts {
+                match self {
+                    $(Self::$variant => Parts {
+                        kernel: Kernel::$kernel,
+                        fields: Fields::$fields,
+                        transfer: TransferKind::$transfer,
+                        formulation: $formulation,
+                        fixes: $fixes,
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+variants! {
     /// Transport point method as printed.
-    Tpm,
+    Tpm = "tpm", "transport point method as printed [Song2020]",
+        [Linear, TransportPoints, Flip, STANDARD], |_| {};
+
     /// TPM with the velocity-pressure formulation, divergence interpolated from cell centres.
-    TpmVp,
-    /// TPM with the velocity-pressure formulation, divergence by quadratic B-splines about the cells.
-    TpmVpQuadratic,
-    /// TPM with the velocity-pressure formulation, divergence of the point's cell.
-    TpmVpConstant,
+    TpmVp = "tpm-vp", "TPM, velocity-pressure, divergence interpolated from cell centres",
+        [Linear, TransportPoints, Flip, AS_SET], |_| {};
+
     /// Classic MPM: linear hat, FLIP.
-    Mpm,
+    Mpm = "mpm", "material point method, linear hat, FLIP [Sulsky1994]",
+        [Linear, Carried, Flip, STANDARD], |_| {};
+
     /// uGIMP, FLIP.
-    Gimp,
+    Gimp = "gimp", "uniform generalized interpolation MPM, FLIP [Bardenhagen2004]",
+        [Gimp, Carried, Flip, STANDARD], |_| {};
+
     /// Quadratic B-spline MPM, FLIP.
-    Bspline2,
+    Bspline2 = "bspline2", "quadratic B-spline MPM, FLIP [Steffen2008]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |_| {};
+
     /// Cubic B-spline MPM, FLIP.
-    Bspline3,
+    Bspline3 = "bspline3", "cubic B-spline MPM, FLIP [Steffen2008]",
+        [CubicBspline, Carried, Flip, STANDARD], |_| {};
+
     /// Quadratic B-spline MPM with affine transfer.
-    Apic,
+    Apic = "apic", "quadratic B-spline MPM, affine transfer [Jiang2015]",
+        [QuadraticBspline, Carried, Apic, STANDARD], |_| {};
+
     /// Linear MPM with the velocity-pressure formulation.
-    MpmVp,
+    MpmVp = "mpm-vp", "linear MPM, velocity-pressure formulation [Chen2018]",
+        [Linear, Carried, Flip, CONSTANT], |_| {};
+
+    /// TPM with the velocity-pressure formulation, divergence by quadratic B-splines about the cells.
+    TpmVpQuadratic = "tpm-vp2", "TPM, velocity-pressure, divergence by quadratic B-splines",
+        [Linear, TransportPoints, Flip, QUADRATIC], |_| {};
+
+    /// TPM with the velocity-pressure formulation, divergence of the point's cell.
+    TpmVpConstant = "tpm-vp0", "TPM, velocity-pressure, divergence constant in each cell",
+        [Linear, TransportPoints, Flip, CONSTANT], |_| {};
+
     /// uGIMP with the velocity-pressure formulation.
-    GimpVp,
+    GimpVp = "gimp-vp", "uGIMP, velocity-pressure formulation [Bardenhagen2004] [Chen2018]",
+        [Gimp, Carried, Flip, CONSTANT], |_| {};
+
+    /// Quadratic B-spline MPM, PIC.
+    Pic = "pic", "quadratic B-spline MPM, PIC [Harlow1964]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.blend = Blend::PerStep(0.0);
+
+    /// Linear MPM, stress updated first.
+    MpmUsf = "mpm-usf", "linear MPM, FLIP, stress updated first [Bardenhagen2002]",
+        [Linear, Carried, Flip, STANDARD], |s| s.stress_update = StressUpdate::First;
+
+    /// Linear MPM, stress updated modified-last.
+    MpmMusl = "mpm-musl", "linear MPM, FLIP, stress updated modified-last [Sulsky1995]",
+        [Linear, Carried, Flip, STANDARD], |s| s.stress_update = StressUpdate::ModifiedLast;
+
+    /// uGIMP, stress updated first.
+    GimpUsf = "gimp-usf", "uGIMP, FLIP, stress updated first [Bardenhagen2002]",
+        [Gimp, Carried, Flip, STANDARD], |s| s.stress_update = StressUpdate::First;
+
+    /// uGIMP, stress updated modified-last.
+    GimpMusl = "gimp-musl", "uGIMP, FLIP, stress updated modified-last [Sulsky1995]",
+        [Gimp, Carried, Flip, STANDARD], |s| s.stress_update = StressUpdate::ModifiedLast;
+
+    /// Quadratic B-spline MPM, stress updated first.
+    Bspline2Usf = "bspline2-usf", "quadratic B-spline MPM, FLIP, stress updated first [Bardenhagen2002]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.stress_update = StressUpdate::First;
+
+    /// Quadratic B-spline MPM, stress updated modified-last.
+    Bspline2Musl = "bspline2-musl", "quadratic B-spline MPM, FLIP, stress updated modified-last [Sulsky1995]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.stress_update = StressUpdate::ModifiedLast;
+
+    /// cpGIMP, FLIP.
+    ConvectedGimp = "cpgimp", "contiguous-particle GIMP, boxes stretched by the flow, FLIP [Bardenhagen2004]",
+        [ConvectedGimp, Carried, Flip, STANDARD], |_| {};
+
+    /// Dual domain MPM, FLIP.
+    DualDomain = "ddmp", "dual domain MPM, axis by axis, FLIP [Zhang2011]",
+        [DualDomain, Carried, Flip, STANDARD], |_| {};
+
+    /// Staggered-grid MPM, FLIP.
+    Staggered = "sgmp", "staggered-grid MPM, FLIP [Liang2019]",
+        [Staggered, Carried, Flip, STANDARD], |_| {};
+
+    /// Quadratic B-splines about the vertices with boundary-corrected kernels, FLIP.
+    Corrected = "corrected", "quadratic B-splines, kernels corrected at surface and walls, FLIP [Nakamura2023]",
+        [Corrected, Carried, Flip, STANDARD], |_| {};
+
+    /// Quadratic B-spline MPM with Taylor transfer.
+    Tpic = "tpic", "quadratic B-spline MPM, Taylor transfer [Nakamura2023]",
+        [QuadraticBspline, Carried, Tpic, STANDARD], |_| {};
+
+    /// MLS-MPM: affine transfer, gradients by least squares over the nodes.
+    MlsMpm = "mls-mpm", "moving-least-squares MPM, affine transfer [Hu2018]",
+        [LeastSquares, Carried, Tpic, STANDARD], |_| {};
+
+    /// XPIC(2) with quadratic B-splines.
+    Xpic2 = "xpic2", "quadratic B-spline MPM, XPIC(2) [Hammerquist2017]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.projection = Some(Projection { kind: ProjectionKind::Velocity, order: 2, interval: 1 });
+
+    /// XPIC(5) with quadratic B-splines.
+    Xpic5 = "xpic5", "quadratic B-spline MPM, XPIC(5) [Hammerquist2017]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.projection = Some(Projection { kind: ProjectionKind::Velocity, order: 5, interval: 1 });
+
+    /// FMPM(2) with quadratic B-splines.
+    Fmpm2 = "fmpm2", "quadratic B-spline MPM, FMPM(2) [Nairn2021]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.projection = Some(Projection { kind: ProjectionKind::All, order: 2, interval: 1 });
+
+    /// FMPM(4) with quadratic B-splines.
+    Fmpm4 = "fmpm4", "quadratic B-spline MPM, FMPM(4) [Nairn2021]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.projection = Some(Projection { kind: ProjectionKind::All, order: 4, interval: 1 });
+
+    /// FLIP, and FMPM(4) in every eighth step, with quadratic B-splines.
+    Fmpm4Periodic = "fmpm4-periodic", "quadratic B-spline MPM, FLIP with FMPM(4) in every 8th step [Nairn2021]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.projection = Some(Projection { kind: ProjectionKind::All, order: 4, interval: 8 });
+
+    /// Quadratic B-spline MPM, FLIP, with volume-averaged F-bar.
+    Bspline2Fbar = "bspline2-fbar", "quadratic B-spline MPM, FLIP, volume-averaged F-bar [Zhao2023]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| s.dilation = Some(FBAR);
+
+    /// Quadratic B-spline MPM with Taylor transfer and volume-averaged F-bar.
+    TpicFbar = "tpic-fbar", "quadratic B-spline MPM, Taylor transfer, volume-averaged F-bar [Nakamura2023] [Zhao2023]",
+        [QuadraticBspline, Carried, Tpic, STANDARD], |s| s.dilation = Some(FBAR);
+
+    /// Linear MPM with adaptive splitting.
+    MpmSplit = "mpm-split", "linear MPM, FLIP, points split by their stretch [Ma2009]",
+        [Linear, Carried, Flip, STANDARD], |s| split_by_stretch(s);
+
+    /// Linear MPM, velocity-pressure, pressure slopes limited over the neighbours.
+    MpmVpBj = "mpm-vp-bj", "linear MPM, velocity-pressure, Barth-Jespersen limiter [Chen2018] [BarthJespersen1989]",
+        [Linear, Carried, Flip, CONSTANT], |s| s.pressure_limiter = Some(PressureLimiter::BarthJespersen);
+
+    /// Linear MPM, velocity-pressure, pressure slopes limited axis by axis.
+    MpmVpMc = "mpm-vp-mc", "linear MPM, velocity-pressure, monotonized central limiter [Chen2018] [VanLeer1977]",
+        [Linear, Carried, Flip, CONSTANT], |s| s.pressure_limiter = Some(PressureLimiter::PerAxis);
+
+    /// Improved MPM of Sulsky and Gong: least squares at cell centres, Gauss quadrature.
+    SulskyGong = "sulsky-gong", "least squares at cell centres, Gauss quadrature, FLIP [SulskyGong2016]",
+        [Linear, CellLeastSquares, Flip, STANDARD], |_| {};
+
+    /// Conservative Taylor least squares, FLIP.
+    TaylorLeastSquares = "ctls", "conservative Taylor least squares in each cell, FLIP [Wobbes2019]",
+        [Linear, TaylorLeastSquares, Flip, STANDARD], |_| {};
+
+    /// `tpm-vp2` with a projection of the velocity in every eighth step.
+    TpmVpFmpm = "tpm-vp2-fmpm", "`tpm-vp2`, the null space filtered by FMPM(3) in every 8th step [Nairn2021]",
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| s.projection = Some(Projection { kind: ProjectionKind::All, order: 3, interval: 8 });
+
+    /// `tpm-vp2` with diffusion of density between cells.
+    TpmVpDiffusion = "tpm-vp2-diffusion", "`tpm-vp2`, density diffused between full cells [Antuono2010]",
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| s.density_diffusion = Some(DIFFUSION);
+
+    /// Quadratic B-spline MPM, FLIP, points pushed out of overfull nodes.
+    Bspline2Overfill = "bspline2-overfill", "quadratic B-spline MPM, FLIP, points shifted where nodes are overfull [Baumgarten2023]",
+        [QuadraticBspline, Carried, Flip, STANDARD], |s| shift_by_overfill(s);
 }
 
 impl Variant {
-    /// Every variant, in the order of tables and legends.
-    pub const ALL: [Self; 11] = [
-        Self::Tpm,
-        Self::TpmVp,
-        Self::Mpm,
-        Self::Gimp,
-        Self::Bspline2,
-        Self::Bspline3,
-        Self::Apic,
-        Self::MpmVp,
-        Self::TpmVpQuadratic,
-        Self::TpmVpConstant,
-        Self::GimpVp,
-    ];
-
-    /// Identifier in command lines, tables and file names.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tpm => "tpm",
-            Self::TpmVp => "tpm-vp",
-            Self::TpmVpQuadratic => "tpm-vp2",
-            Self::TpmVpConstant => "tpm-vp0",
-            Self::Mpm => "mpm",
-            Self::Gimp => "gimp",
-            Self::Bspline2 => "bspline2",
-            Self::Bspline3 => "bspline3",
-            Self::Apic => "apic",
-            Self::MpmVp => "mpm-vp",
-            Self::GimpVp => "gimp-vp",
+    /// The transport point methods and the classic ones: those that every study compares.
+    pub const CORE: [Self; 11] = {
+        let mut core = [Self::Tpm; 11];
+        let mut k = 0;
+        while k < core.len() {
+            core[k] = Self::ALL[k];
+            k += 1;
         }
-    }
-
-    /// One-line description with its source key.
-    pub const fn about(self) -> &'static str {
-        match self {
-            Self::Tpm => "transport point method as printed [Song2020]",
-            Self::TpmVp => "TPM, velocity-pressure, divergence interpolated from cell centres",
-            Self::TpmVpQuadratic => "TPM, velocity-pressure, divergence by quadratic B-splines",
-            Self::TpmVpConstant => "TPM, velocity-pressure, divergence constant in each cell",
-            Self::Mpm => "material point method, linear hat, FLIP [Sulsky1994]",
-            Self::Gimp => "uniform generalized interpolation MPM, FLIP [Bardenhagen2004]",
-            Self::Bspline2 => "quadratic B-spline MPM, FLIP [Steffen2008]",
-            Self::Bspline3 => "cubic B-spline MPM, FLIP [Steffen2008]",
-            Self::Apic => "quadratic B-spline MPM, affine transfer [Jiang2015]",
-            Self::MpmVp => "linear MPM, velocity-pressure formulation [Chen2018]",
-            Self::GimpVp => "uGIMP, velocity-pressure formulation [Bardenhagen2004] [Chen2018]",
-        }
-    }
+        core
+    };
 
     /// Finds a variant by its name.
     ///
@@ -108,152 +267,11 @@ impl Variant {
             InvalidInput::new("variant", name, format!("one of {}", allowed.join(", ")))
         })
     }
-}
 
-/// Lists, once, which concrete types each variant is.
-macro_rules! build {
-    ($name:ident, $dimension:literal) => {
-        impl Variant {
-            /// Builds a simulation in `f64`.
-            ///
-            /// # Errors
-            /// When the scene or a setting is out of range, or the combination is ill-posed.
-            pub fn $name(
-                self,
-                scene: &Scene<$dimension>,
-                settings: &Settings,
-            ) -> Result<Box<dyn Simulation<$dimension>>, InvalidInput> {
-                settings.check()?;
-                let recipe = Recipe { scene, settings };
-                let vp = Formulation::VelocityPressure;
-                match self {
-                    Self::Tpm => recipe.transport_points(Formulation::Standard),
-                    Self::TpmVp => recipe.transport_points(vp(settings.point_divergence)),
-                    Self::TpmVpConstant => recipe.transport_points(vp(PointDivergence::Constant)),
-                    Self::TpmVpQuadratic => recipe.transport_points(vp(PointDivergence::Quadratic)),
-                    Self::Mpm => recipe.material_points(Linear, Formulation::Standard),
-                    Self::Gimp => recipe.material_points(
-                        Gimp { length: settings.gimp_length },
-                        Formulation::Standard,
-                    ),
-                    Self::Bspline2 => {
-                        recipe.material_points(QuadraticBspline, Formulation::Standard)
-                    }
-                    Self::Bspline3 => recipe.material_points(CubicBspline, Formulation::Standard),
-                    Self::Apic => recipe.affine(QuadraticBspline),
-                    Self::MpmVp => recipe.material_points(Linear, vp(PointDivergence::Constant)),
-                    Self::GimpVp => recipe.material_points(
-                        Gimp { length: settings.gimp_length },
-                        vp(PointDivergence::Constant),
-                    ),
-                }
-            }
-        }
-    };
-}
-
-build!(build_1d, 1);
-build!(build_2d, 2);
-build!(build_3d, 3);
-
-/// What a simulation is built from.
-struct Recipe<'a, const D: usize> {
-    scene: &'a Scene<D>,
-    settings: &'a Settings,
-}
-
-type Built<const D: usize> = Result<Box<dyn Simulation<D>>, InvalidInput>;
-
-impl<const D: usize> Recipe<'_, D>
-where
-    basis::Linear: PolynomialBasis<f64, D>,
-{
-    fn transport_points(&self, formulation: Formulation) -> Built<D> {
-        let mut reconstruction =
-            MovingLeastSquares::<basis::Linear, f64>::new(self.settings.support);
-        let Settings { leverage, positivity, .. } = *self.settings;
-        reconstruction.limiters = Limiters { leverage, positivity };
-        self.build(Scheme {
-            shape: Linear,
-            reconstruction,
-            quadrature: Mixed {
-                point_volume: self.settings.point_volume,
-                criterion: self.settings.boundary_criterion,
-            },
-            transfer: Flip { blend: self.settings.blend },
-            formulation,
-            stress_update: self.settings.stress_update,
-        })
-    }
-
-    fn material_points(
-        &self,
-        shape: impl ShapeFunction<f64> + 'static,
-        formulation: Formulation,
-    ) -> Built<D> {
-        self.build(Scheme {
-            shape,
-            reconstruction: Carried,
-            quadrature: Particle,
-            transfer: Flip { blend: self.settings.blend },
-            formulation,
-            stress_update: self.settings.stress_update,
-        })
-    }
-
-    fn affine(&self, shape: impl ShapeFunction<f64> + 'static) -> Built<D> {
-        self.build(Scheme {
-            shape,
-            reconstruction: Carried,
-            quadrature: Particle,
-            transfer: Apic,
-            formulation: Formulation::Standard,
-            stress_update: self.settings.stress_update,
-        })
-    }
-
-    fn build(&self, method: impl Method<f64, D>) -> Built<D> {
-        self.check_combination(&method)?;
-        let Scene { viscosity, shear_modulus, energy, .. } = *self.scene;
-        let deviatoric = match (viscosity, shear_modulus) {
-            (Some(viscosity), _) => Some(Deviatoric::Newtonian { viscosity }),
-            (None, Some(shear_modulus)) => Some(Deviatoric::Elastic { shear_modulus }),
-            (None, None) => None,
-        };
-        let bulk_viscosity = self.settings.bulk_viscosity;
-        let law = EquationOfState::<f64>::new(&self.scene.equation_of_state)?;
-        if energy || bulk_viscosity.is_some() || law.linear().is_none() {
-            let volume: f64 = self.scene.grid.spacing.iter().product();
-            return self.solve(
-                method,
-                General {
-                    deviatoric,
-                    energy: energy.then_some(self.settings.energy_update),
-                    bulk_viscosity,
-                    cell_size: volume.powf(1.0 / D as f64),
-                },
-            );
-        }
-        match deviatoric {
-            None => self.solve(method, Inviscid),
-            Some(law) => self.solve(method, law),
-        }
-    }
-
-    fn solve(&self, method: impl Method<f64, D>, material: impl Material<f64, D>) -> Built<D> {
-        let mut solver = Solver::new(self.scene, method, material)?;
-        solver.pressure_limiter = self.settings.pressure_limiter;
-        solver.set_rearrangement(self.settings.rearrangement)?;
-        Ok(Box::new(solver))
-    }
-
-    /// Refuses settings that the method cannot honour.
-    fn check_combination<M: Method<f64, D>>(&self, method: &M) -> Result<(), InvalidInput> {
-        let by_cell = matches!(method.formulation(), Formulation::VelocityPressure(_));
-        if self.settings.pressure_limiter.is_some() && !by_cell {
-            let allowed = "absent, or a variant with the velocity-pressure formulation";
-            return Err(InvalidInput::new("settings.pressure_limiter", "a limiter", allowed));
-        }
-        Ok(())
+    /// The settings with which it runs: those given, with what the variant fixes.
+    pub fn settings(self, given: &Settings) -> Settings {
+        let mut settings = *given;
+        (self.parts().fixes)(&mut settings);
+        settings
     }
 }

@@ -204,6 +204,7 @@ fn threads_change_no_bit() {
         most_points: Some(4),
         shift: Some(Shift { strength: 0.1, interval: 2 }),
         split: None,
+        overfill: None,
     };
     let stretch = Rearrangement { split: Some(Split::Stretch(0.51)), ..Rearrangement::default() };
     for (variant, rearrangement) in

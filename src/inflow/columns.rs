@@ -91,8 +91,7 @@ where
             }
             (nearest, code)
         }));
-        // Far ones first; among equals the first of the lattice.
-        places.sort_unstable_by(|a, b| b.0.as_f64().total_cmp(&a.0.as_f64()).then(a.1.cmp(&b.1)));
+        farthest_first(places);
         let mass = inlet.debts[place] / T::from_index(wanted);
         for &(_, code) in &places[..wanted] {
             let position = inlet.place_in_cell(&self.grid, cell, code);
@@ -114,4 +113,9 @@ where
         }
         inflow.inlets[number].debts[place] = T::zero();
     }
+}
+
+/// Far places first; among equals the first of the lattice.
+fn farthest_first<T: Scalar>(places: &mut [(T, usize)]) {
+    places.sort_unstable_by(|a, b| b.0.as_f64().total_cmp(&a.0.as_f64()).then(a.1.cmp(&b.1)));
 }

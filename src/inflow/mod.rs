@@ -95,12 +95,14 @@ where
         let Some(mut inflow) = self.inflow.take() else { return };
         let returned = self.counters.n_points_returned;
         for number in 0..inflow.inlets.len() {
-            match inflow.inlets[number].spec.supply {
-                Supply::Flux => {
-                    self.prescribe(&inflow.inlets[number]);
-                    self.push_rows(&mut inflow, number, dt);
-                }
-                Supply::Columns => self.feed_columns(&mut inflow, number, dt),
+            if inflow.inlets[number].spec.supply == Supply::Flux {
+                self.prescribe(&inflow.inlets[number]);
+                self.push_rows(&mut inflow, number, dt);
+                continue;
+            }
+            // A constant condition: methods that cannot have columns need not compile them.
+            if <M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
+                self.feed_columns(&mut inflow, number, dt);
             }
         }
         let mut entered = Totals::zero();
@@ -111,6 +113,7 @@ where
         self.counters.n_points_entered += inflow.fresh.len() as u64;
         if !inflow.fresh.is_empty() || self.counters.n_points_returned > returned {
             self.particles.append(&mut inflow.fresh);
+            self.append_lengths();
             self.bin_particles();
         }
         self.inflow = Some(inflow);

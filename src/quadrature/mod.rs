@@ -5,12 +5,14 @@ mod mixed;
 mod particle;
 mod plane;
 mod surface;
+mod whole_cells;
 
 pub use gauss::Gauss;
 pub use mixed::Mixed;
 pub use particle::Particle;
 pub use plane::{Plane, Wetted, normal};
 pub use surface::{boxed_volume, classify, classify_by_volume, mark_near_surface, wetted_sites};
+pub use whole_cells::WholeCells;
 
 use crate::Scalar;
 use crate::cells::CellKind;

@@ -5,6 +5,7 @@
 mod fill;
 mod fracture;
 mod ledger;
+mod overfill;
 mod reduce;
 mod shift;
 mod split;
@@ -32,6 +33,7 @@ pub struct Rearranger<T, const D: usize, A, S> {
     survey: Survey,
     fresh: Particles<T, D, A, S>,
     moved: Vec<shift::Moved<T, D, S>>,
+    room: Option<overfill::Room<T, D, A>>,
     n_steps: u32,
     next_id: u32,
     initial_mass: f64,
@@ -69,17 +71,16 @@ where
             check_rearrangement::<T, D, M>(settings)?;
         }
         self.rearranger = None;
-        self.particles.length = Vec::new();
+        let by_stretch = settings.and_then(|settings| settings.split);
+        self.set_lengths(matches!(by_stretch, Some(Split::Stretch(_))));
         let Some(settings) = settings else { return Ok(()) };
-        if let Some(Split::Stretch(_)) = settings.split {
-            self.particles.length = self.initial_lengths();
-        }
         let p = &self.particles;
         self.rearranger = Some(Box::new(Rearranger {
             settings,
             survey: Survey::new(&self.grid),
             fresh: Particles::default(),
             moved: Vec::new(),
+            room: settings.overfill.map(|_| overfill::Room::new(&self.grid, &self.method.shape())),
             n_steps: 0,
             next_id: self.next_id,
             initial_mass: p.mass.iter().map(|mass| mass.as_f64()).sum(),
@@ -96,25 +97,34 @@ where
         }
         let Some(mut kept) = self.rearranger.take() else { return };
         kept.next_id = self.next_id;
-        let Rearrangement { fill, most_points, shift, split } = kept.settings;
-        self.look_around(&mut kept);
-        if let Some(fill) = fill {
-            self.fill(fill, &mut kept);
+        let Rearrangement { fill, most_points, shift, split, overfill } = kept.settings;
+        // Constant conditions: what a method cannot have need not be compiled for it.
+        if <M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
             self.look_around(&mut kept);
-        }
-        if let Some(most_points) = most_points {
-            self.reduce(most_points, &mut kept);
-        }
-        if let Some(shift) = shift {
-            kept.n_steps += 1;
-            if kept.n_steps == shift.interval {
-                kept.n_steps = 0;
-                self.shift(shift, &mut kept);
+            if let Some(fill) = fill {
+                self.fill(fill, &mut kept);
                 self.look_around(&mut kept);
             }
-        }
-        if let Some(split) = split {
-            self.split(split, &mut kept);
+            if let Some(most_points) = most_points {
+                self.reduce(most_points, &mut kept);
+            }
+            if let Some(shift) = shift {
+                kept.n_steps += 1;
+                if kept.n_steps == shift.interval {
+                    kept.n_steps = 0;
+                    self.shift(shift, &mut kept);
+                    self.look_around(&mut kept);
+                }
+            }
+        } else {
+            if let Some(overfill) = overfill
+                && self.counters.n_steps % u64::from(overfill.interval) == 0
+            {
+                self.shift_overfill(&mut kept);
+            }
+            if let Some(split) = split {
+                self.split(split, &mut kept);
+            }
         }
         self.next_id = kept.next_id;
         self.rearranger = Some(kept);

@@ -85,7 +85,7 @@ where
             return;
         }
         let n_points = moved.len();
-        let data = (self.particles.view(), moved.as_mut_slice());
+        let data = (self.particles.view().0, moved.as_mut_slice());
         let work = |_, (points, moved): (ParticlesMut<'_, T, D, _, _>, &mut [Moved<T, D, _>])| {
             for (point, place) in moved.iter().enumerate() {
                 if let Some(place) = place {

@@ -7,7 +7,7 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::settings::Split;
 use crate::solver::Solver;
-use crate::step::{settle, stretch};
+use crate::step::settle;
 
 /// Half distances of the parts of a point along each axis, m; zero: not split along it.
 type Parts<T, const D: usize> = [T; D];
@@ -18,30 +18,6 @@ where
     M: Method<T, D>,
     K: Material<T, D>,
 {
-    /// Lengths of the points along the axes, m: those of a piece of a cell with volume m/ρ.
-    pub(super) fn initial_lengths(&self) -> Vec<[T; D]> {
-        let p = &self.particles;
-        (0..p.len()).map(|point| self.length_by_volume(point)).collect()
-    }
-
-    /// Stretches the lengths of the points with the flow, where they carry any.
-    pub(crate) fn stretch_lengths(&mut self, dt: T) {
-        let Self { method, grid, cells, particles, nodes, .. } = self;
-        if particles.length.is_empty() {
-            return;
-        }
-        let grid = (&*grid, &*cells, &method.shape());
-        let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
-        stretch(grid, nodes, &particles.position, &mut particles.length);
-    }
-
-    fn length_by_volume(&self, point: usize) -> [T; D] {
-        let p = &self.particles;
-        let share = p.mass[point] / p.density[point] / self.grid.cell_volume();
-        let ratio = share.powf(T::one() / T::from_index(D));
-        self.grid.spacing.map(|h| ratio * h)
-    }
-
     /// Splits every point that is too large, once, after \[Ma2009\].
     ///
     /// Parts have equal masses and lie about the point at a quarter of its length, less near a wall

@@ -237,9 +237,9 @@ mod tests {
                 let cell = grid.cell_coordinates(cell);
                 let node = cell.map(|c| c as f64);
                 let field = || columns.field::<Value<f64>>(2);
-                let center = vectorized!(simd => fit.fit_center(simd, &cloud, cell, field()));
+                let center = vectorized!(2, simd => fit.fit_center(simd, &cloud, cell, field()));
                 assert_eq!(center, fit.at_center(&cloud, cell, |p| Value(density[p])));
-                let corner = vectorized!(simd => fit.fit_node(simd, &cloud, node, field()));
+                let corner = vectorized!(2, simd => fit.fit_node(simd, &cloud, node, field()));
                 assert_eq!(corner, fit.at_node(&cloud, node, |p| Value(density[p])));
             }
         }

@@ -1,19 +1,28 @@
 //! Fields at cell centres and nodes, rebuilt from the points around them.
 
 mod carried;
+mod cell_fit;
+mod cell_least_squares;
 mod columns;
 mod gather;
 mod moving_least_squares;
+mod taylor_least_squares;
 
 pub use carried::Carried;
+pub use cell_fit::CellFit;
+pub use cell_least_squares::CellLeastSquares;
 pub use columns::{Columns, EachPoint, InColumns, PointField, Quad};
 pub use gather::{Cloud, Neighborhood};
 pub use moving_least_squares::MovingLeastSquares;
+pub use taylor_least_squares::TaylorLeastSquares;
 
 use crate::Scalar;
 use crate::basis::Fit;
-use crate::math::Field;
+use crate::math::{Field, Value, Vector};
 use crate::simd::{Simd, vectorized};
+
+/// Momentum per volume ρv and density: what is fitted at the nodes.
+pub type Flow<T, const D: usize> = (Vector<T, D>, Value<T>);
 
 /// How fields are found between the points.
 ///
@@ -22,6 +31,8 @@ use crate::simd::{Simd, vectorized};
 pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     /// Whether node velocities are reconstructed, not transferred from the points.
     const REBUILDS_NODES: bool;
+    /// Whether cells that are sampled at their centers pass on momentum and mass, see [`Self::cell_flow`].
+    const BY_CELLS: bool = false;
 
     /// Half width of the support along each axis, cells; zero: only the points of the cell itself.
     fn support(&self) -> T;
@@ -51,6 +62,20 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         field: P,
     ) -> Fit<P::Field>;
 
+    /// Momentum per volume (kg/(m² s)) and density (kg/m³, last entry) in an active cell: the value at its center, and
+    /// for each axis the change over one cell. Where the method is [`Self::BY_CELLS`], nodes get
+    /// `∫ N (value + Σ_a slope_a (x − x_c)_a/h_a) dV` with linear hats.
+    #[inline(always)]
+    fn cell_flow<S: Simd, P: PointField<T, D, Field = Flow<T, D>> + Copy>(
+        &self,
+        _simd: S,
+        _cloud: &Cloud<'_, T, D>,
+        _at: (usize, [usize; D]),
+        _field: P,
+    ) -> [[T; 4]; 4] {
+        [[T::zero(); 4]; 4]
+    }
+
     /// [`Self::fit_center`] for a single fit, outside of a kernel; `field(p)` is the value at point `p`.
     fn at_center<F: Field<T>>(
         &self,
@@ -58,7 +83,7 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         cell: [usize; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        vectorized!(simd => self.fit_center(simd, cloud, cell, EachPoint(field)))
+        vectorized!(D, simd => self.fit_center(simd, cloud, cell, EachPoint(field)))
     }
 
     /// [`Self::fit_node`] for a single fit, outside of a kernel.
@@ -68,6 +93,6 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         node: [T; D],
         field: impl Fn(usize) -> F,
     ) -> Fit<F> {
-        vectorized!(simd => self.fit_node(simd, cloud, node, EachPoint(field)))
+        vectorized!(D, simd => self.fit_node(simd, cloud, node, EachPoint(field)))
     }
 }

@@ -1,12 +1,24 @@
 //! Grid shape functions: one-dimensional rows whose tensor product gives the weights of a point.
 
 mod bspline;
+mod choice;
+mod convected;
+mod corrected;
+mod dual_domain;
 mod gimp;
+mod least_squares;
 mod linear;
+mod staggered;
 
 pub use bspline::{CubicBspline, QuadraticBspline};
+pub use choice::{AboutVertices, FourWide, Quadratic};
+pub use convected::ConvectedGimp;
+pub use corrected::Corrected;
+pub use dual_domain::DualDomain;
 pub use gimp::Gimp;
+pub use least_squares::LeastSquares;
 pub use linear::Linear;
+pub use staggered::Staggered;
 
 use crate::Scalar;
 use crate::simd::{Simd, SimdBase as _};
@@ -52,12 +64,17 @@ impl<T: Scalar> Row<T> {
     }
 }
 
+/// Whether the neighbours of a cell hold no points: `[axis][lower, upper]`, of the axes that a grid has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bare(pub [[bool; 2]; 3]);
+
 /// A family of grid shape functions, evaluated one axis at a time.
 ///
 /// Every family keeps partition of unity, Σ N = 1, and linear reproduction, `Σ N_i x_i = x`, in
 /// every cell, also next to walls, with the node coordinates of [`ShapeFunction::node_coordinate`].
 /// The first (last) function alone is non-zero on the lower (upper) wall, so that a velocity
-/// prescribed on the wall's nodes is met exactly on the wall; ghost nodes of a wall are skipped.
+/// prescribed on the wall's nodes is met exactly on the wall; ghost nodes of a wall are skipped. "Derivatives"
+/// are what a method uses as such: Σ G = 0 and `Σ G_i x_i = 1` hold for all, being the slopes of N only for some.
 ///
 /// An axis of `n` cells stores `n + EXTRA` nodes. The points of cell `c` touch nodes
 /// `c .. c + REACH` only. On a periodic axis node `n + k` is the image of node `k`.
@@ -72,6 +89,38 @@ pub trait ShapeFunction<T: Scalar>: Copy + Send + Sync {
     /// Values and derivatives of the functions at a point.
     fn row(&self, at: AxisPosition<T>) -> Row<T>;
 
+    /// The same along an axis, where that makes a difference.
+    #[inline(always)]
+    fn row_along(&self, _axis: usize, at: AxisPosition<T>) -> Row<T> {
+        self.row(at)
+    }
+
+    /// Whether the functions depend on which neighbours of the cell are empty, see [`Self::beside`].
+    #[inline(always)]
+    fn looks_around(&self) -> bool {
+        false
+    }
+
+    /// Whether every point has lengths of its own, see [`Self::stretched`].
+    #[inline(always)]
+    fn stretches(&self) -> bool {
+        false
+    }
+
+    /// The family in a cell some of whose neighbours are empty.
+    #[inline(always)]
+    #[must_use]
+    fn beside(&self, _bare: Bare) -> Self {
+        *self
+    }
+
+    /// The family at a point of this length along each axis, cells.
+    #[inline(always)]
+    #[must_use]
+    fn stretched(&self, _length: [T; 3]) -> Self {
+        *self
+    }
+
     /// The functions of all axes at a point, derivatives per metre.
     ///
     /// Families whose formula holds on every axis may work on all axes at once; the bits are the same.
@@ -84,7 +133,7 @@ pub trait ShapeFunction<T: Scalar>: Copy + Send + Sync {
     ) -> [Row<T>; D] {
         let mut rows = [Row::zero(); D];
         for axis in 0..D {
-            rows[axis] = self.row(at[axis]);
+            rows[axis] = self.row_along(axis, at[axis]);
             for k in 0..Self::WIDTH {
                 rows[axis].gradient[k] *= inverse_spacing.as_array()[axis];
             }

@@ -11,6 +11,8 @@ use crate::method::Method;
 pub(super) enum CellDivergence<T> {
     /// Trace of the velocity gradient at the point.
     AtPoint,
+    /// As given for the point, 1/s.
+    OfPoint(T),
     /// Weighted mean of the 3^D cells around.
     Around(PointDivergence, [T; 27]),
 }
@@ -52,6 +54,7 @@ impl<T: Scalar> CellDivergence<T> {
     pub fn at<const D: usize>(&self, xi: &[T; D]) -> T {
         let (kind, around) = match self {
             Self::AtPoint => return T::zero(),
+            Self::OfPoint(divergence) => return *divergence,
             Self::Around(PointDivergence::Constant, around) => return around[0],
             Self::Around(kind, around) => (*kind, around),
         };

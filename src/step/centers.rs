@@ -1,5 +1,6 @@
 //! Cell values: density, pressure and state of the material at centres, and the divergence of each cell.
 
+use super::interpolate::divergence_at;
 use super::{CELL_GRAIN, StateOf, View, centers_read};
 use crate::Scalar;
 use crate::basis::Fit;
@@ -13,7 +14,7 @@ use crate::quadrature::{Quadrature, Samples, boxed_volume};
 use crate::reconstruction::Reconstruction;
 use crate::shape::ShapeFunction;
 use crate::simd::{Simd, vectorized};
-use crate::stencil::{Rows, for_each_outer_row, rows_at, rows_at_center};
+use crate::stencil::{Rows, rows_at, rows_at_center};
 use crate::telemetry::Counters;
 
 /// Fields of one cell.
@@ -87,7 +88,7 @@ where
 {
     let quadrature = view.method.quadrature();
     let work = |slots: std::ops::Range<usize>, part: &mut [Center<T, StateOf<T, D, K>>]| {
-        vectorized!(simd => {
+        vectorized!(D, simd => {
             let mut counters = Counters::default();
             for (slot, center) in slots.zip(part) {
                 *center = match quadrature.samples(view.cells.kind[slot]) {
@@ -179,19 +180,7 @@ pub fn divergence<T: Scalar, const D: usize, S: ShapeFunction<T>>(
             let cell = grid.cell_coordinates(cells.index[slot]);
             let at = sample_rows(shape, grid, sites, (slot, cell));
             let starts = &rows[slot * n_rows..(slot + 1) * n_rows];
-            let last = &at[D - 1];
-            let mut sum = T::zero();
-            for_each_outer_row::<T, D, S>(&at, |outer| {
-                let start = starts[outer.row] as usize + last.first;
-                for (k, v) in velocity[start..start + S::WIDTH].iter().enumerate() {
-                    for axis in 0..D - 1 {
-                        let gradient = outer.replace(&at, axis, &at[axis].gradient);
-                        sum += gradient * last.weight[k] * v[axis];
-                    }
-                    sum += outer.weight * last.gradient[k] * v[D - 1];
-                }
-            });
-            *out = sum;
+            *out = divergence_at::<T, D, S>(&at, starts, velocity);
         }
     });
 }

@@ -3,13 +3,10 @@
 use super::{ParticlesOf, StateOf, View};
 use crate::Scalar;
 use crate::material::Material;
-use crate::math::{Field, MAX_COMPONENTS, Value, Vector};
+use crate::math::{Field, MAX_COMPONENTS, Value};
 use crate::method::Method;
 use crate::quadrature::Quadrature;
-use crate::reconstruction::{Columns, InColumns, Reconstruction};
-
-/// Momentum per volume ρv and density: what is fitted at the nodes.
-pub type Flow<T, const D: usize> = (Vector<T, D>, Value<T>);
+use crate::reconstruction::{Columns, Flow, InColumns, Reconstruction};
 
 /// Writes position, ρv, ρ and the state of the material of all points, in this order, where a method
 /// reconstructs fields.

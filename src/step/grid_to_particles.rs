@@ -17,7 +17,7 @@ use crate::parallel::fold_blocks;
 use crate::particles::ParticlesMut;
 use crate::shape::ShapeFunction;
 use crate::simd::{Simd, SimdBase as _, vectorized};
-use crate::stencil::Frame;
+use crate::stencil::{Frame, gradients, shape_at_point, shape_in_cell};
 use crate::transfer::Transfer;
 
 /// Where the state update takes its velocities from.
@@ -29,6 +29,8 @@ pub struct StateSource<'a, T> {
     pub is_end_velocity: bool,
     /// Divergence of each active cell, 1/s; empty in the standard formulation.
     pub divergence: &'a [T],
+    /// Divergence of each point, 1/s; empty unless it was smoothed.
+    pub at_points: &'a [T],
 }
 
 /// Inputs that do not belong to the points.
@@ -41,6 +43,10 @@ pub struct GridState<'a, T, const D: usize, M, K> {
     pub grid: &'a Grid<T, D>,
     /// Active cells.
     pub cells: &'a Cells,
+    /// Lengths of the points along the axes, m; empty unless the shape functions depend on them.
+    pub length: &'a [[T; D]],
+    /// Share of the FLIP update, 0 to 1.
+    pub flip_share: T,
     /// First node of each stencil row of each cell.
     pub rows: &'a [u32],
     /// v⁺ of the nodes, m/s.
@@ -78,7 +84,7 @@ where
     let work = |slots: std::ops::Range<usize>, mut points: ParticlesMut<'_, T, D, _, _>| {
         let begin = first[slots.start] as usize;
         let block = Block { state, pass, dt, begin };
-        vectorized!(simd => block.run(simd, slots, &mut points))
+        vectorized!(D, simd => block.run(simd, slots, &mut points))
     };
     let cut = |slot: usize| first[slot] as usize;
     fold_blocks(state.cells.len(), CELL_GRAIN, points, &cut, &work, &Outcome::then)
@@ -110,13 +116,14 @@ where
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
         let want =
             Want { moments: affine, increment: <M::Transfer as Transfer<T, D>>::USES_INCREMENT };
-        let share = state.method.transfer().flip_share(dt);
+        let share = state.flip_share;
         let floor = state.physics.minimum_density;
         let n_rows = M::Shape::REACH.pow(D as u32 - 1);
         let mut outcome = Outcome::default();
         for slot in slots {
             let cell = grid.cell_coordinates(state.cells.index[slot]);
             let frame = Frame::new(simd, &shape, state.grid, cell);
+            let shape = shape_in_cell(&shape, state.grid, state.cells, cell);
             let cell_divergence = if pass.state {
                 CellDivergence::around(state, slot, cell)
             } else {
@@ -133,11 +140,13 @@ where
             let mut points = points.part(first - begin..of_cell.end - begin);
             for p in 0..of_cell.len() {
                 let position = points.position[p];
+                let shape = shape_at_point(&shape, state.grid, state.length, first + p);
                 let rows = frame.rows(&shape, &position);
                 let moments = frame.moments::<M::Shape>(&rows, &position);
+                let by_gradient = <M::Transfer as Transfer<T, D>>::BY_GRADIENT;
                 let site = Site::<T, D, M::Shape> {
                     rows: &rows,
-                    moments: &moments.first,
+                    moments: &if by_gradient { gradients(&rows) } else { moments.first },
                     starts,
                     shape: PhantomData,
                 };
@@ -161,7 +170,10 @@ where
                 }
                 let mut density = points.density[p];
                 if pass.state {
-                    let found = (&found, old, &cell_divergence, cell);
+                    let smoothed = state.source.at_points.get(first + p);
+                    let smoothed = smoothed.map(|&divergence| CellDivergence::OfPoint(divergence));
+                    let divergence = smoothed.as_ref().unwrap_or(&cell_divergence);
+                    let found = (&found, old, divergence, cell);
                     density = self.strain(simd, p, &mut points, &site, found);
                 }
                 if pass.motion {
@@ -209,7 +221,7 @@ where
                     StencilNodes::load::<M::Shape, D>(simd, source.velocity, site.starts, 0);
                 site.gather(simd, want, &velocity, &StencilNodes::zero(simd)).divergence
             }
-            CellDivergence::Around(..) => {
+            CellDivergence::OfPoint(_) | CellDivergence::Around(..) => {
                 cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
             }
         };

@@ -48,7 +48,7 @@ where
         return Counters::default();
     }
     let work = |nodes: std::ops::Range<usize>, part: &mut [[T; 4]]| {
-        vectorized!(simd => {
+        vectorized!(D, simd => {
             let mut counters = Counters::default();
             for (node, out) in nodes.zip(part) {
                 let at = view.grid.node_coordinates(index[node]);

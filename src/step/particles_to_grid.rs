@@ -2,7 +2,7 @@
 
 use super::spread::{Site, Spread};
 use super::stencil_nodes::StencilNodes;
-use super::{CellSamples, StateOf, View};
+use super::{CellSamples, StateOf, View, nodes_read};
 use crate::Scalar;
 use crate::formulation::Formulation;
 use crate::material::Material;
@@ -12,8 +12,8 @@ use crate::parallel::fold_blocks;
 use crate::quadrature::{PointVolumes, Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
-use crate::simd::{Simd, lanes, load, splat, vectorized};
-use crate::stencil::Frame;
+use crate::simd::{Simd, SimdBase as _, lanes, load, splat, vectorized};
+use crate::stencil::{Frame, rows_at_center, shape_at_point, shape_in_cell};
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
 
@@ -67,7 +67,7 @@ where
             let slabs = pairs.map(|pair| color + 2 * pair);
             let mut target = Target { transfer, force, rows, node_begin };
             let input = Input { view, cell_samples, parts, dt };
-            vectorized!(simd => input.scatter_slabs(simd, slabs, &mut target))
+            vectorized!(D, simd => input.scatter_slabs(simd, slabs, &mut target))
         };
         let n_pairs = (n_slabs.saturating_sub(color)).div_ceil(2);
         let data = (&mut transfer[begin..], &mut force[begin..]);
@@ -158,7 +158,9 @@ where
         let transfers = !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES
             || view.cells.near_surface[slot];
         if at_center {
-            if transfers {
+            if <M::Reconstruction as Reconstruction<T, D>>::BY_CELLS {
+                self.scatter_flow(simd, all, cell, slot, target);
+            } else if transfers {
                 let none = (PointVolumes::Scaled(T::zero()), false);
                 self.scatter_points::<S, false>(simd, none, cell, slot, target);
             }
@@ -188,7 +190,8 @@ where
         let center = &self.cell_samples.centers[slot];
         let view = self.view;
         let rows = self.cell_samples.rows(&view.method.shape(), view.grid, (slot, cell));
-        let mass = if full { center.density * center.volume } else { T::zero() };
+        let by_cells = <M::Reconstruction as Reconstruction<T, D>>::BY_CELLS;
+        let mass = if full && !by_cells { center.density * center.volume } else { T::zero() };
         let value = [T::zero(), T::zero(), T::zero(), mass];
         let state = if full { center.state } else { StateOf::<T, D, K>::default() };
         let flux = self.flux(center.pressure * center.volume, center.volume, &state);
@@ -205,6 +208,51 @@ where
         let mut sums = StencilNodes::load::<M::Shape, D>(simd, nodes, starts, begin);
         site.add::<S, M::Shape>(simd, (false, true), &spread, &mut sums);
         sums.store::<M::Shape, D>(nodes, starts, begin);
+    }
+
+    /// Momentum and mass of a cell as polynomials in it, integrated with linear hats:
+    /// `∫ N (q + Σ s_a y_a) dV = V 2^−D (q ± s_a/6)`, y in cells from the center.
+    #[inline(always)]
+    fn scatter_flow<S: Simd>(
+        &self,
+        simd: S,
+        with_mass: bool,
+        cell: [usize; D],
+        slot: usize,
+        target: &mut Target<'_, T>,
+    ) {
+        let view = self.view;
+        let (grid, shape) = (view.grid, view.method.shape());
+        let reconstruction = view.method.reconstruction();
+        let flow = reconstruction.cell_flow(simd, &view.cloud(), (slot, cell), nodes_read(view));
+        let volume = grid.cell_volume();
+        let rows = rows_at_center(&shape, grid, cell);
+        // First moments of the hats about the center are ± h/4: N s h/3 of them is N s/6.
+        let mut moments = [[T::zero(); MAX_WIDTH]; D];
+        let mut spread = Spread {
+            value: load(simd, &flow[0].map(|q| q * volume)),
+            affine: [splat(simd, T::zero()); D],
+            flux: [splat(simd, T::zero()); D],
+        };
+        for axis in 0..D {
+            let quarter = T::lit(0.25) * grid.spacing[axis];
+            (moments[axis][0], moments[axis][1]) = (-quarter, quarter);
+            let scale = volume * grid.inverse_spacing[axis] * T::lit(1.0 / 3.0);
+            spread.affine[axis] = load(simd, &flow[1 + axis].map(|slope| slope * scale));
+        }
+        let site = Site { rows: &rows, moments: &moments };
+        let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
+        let mut sums = StencilNodes::load::<M::Shape, D>(simd, target.transfer, starts, begin);
+        site.add::<S, M::Shape>(simd, (true, false), &spread, &mut sums);
+        sums.store::<M::Shape, D>(target.transfer, starts, begin);
+        if with_mass {
+            let mass_only = |row: [T; 4]| [T::zero(), T::zero(), T::zero(), row[3]];
+            spread.value = load(simd, &mass_only(spread.value.to_array()));
+            spread.affine = spread.affine.map(|row| load(simd, &mass_only(row.to_array())));
+            let mut sums = StencilNodes::load::<M::Shape, D>(simd, target.force, starts, begin);
+            site.add::<S, M::Shape>(simd, (true, false), &spread, &mut sums);
+            sums.store::<M::Shape, D>(target.force, starts, begin);
+        }
     }
 
     /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
@@ -242,11 +290,13 @@ where
         let (first, p) = (of_cell.start, view.particles.part(of_cell));
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
         let frame = Frame::new(simd, &shape, view.grid, cell);
+        let shape = shape_in_cell(&shape, view.grid, view.cells, cell);
         let zero = splat(simd, T::zero());
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
         let mut transfer = StencilNodes::load::<M::Shape, D>(simd, target.transfer, starts, begin);
         for point in 0..p.position.len() {
             let position = p.position[point];
+            let shape = shape_at_point(&shape, view.grid, &view.particles.length, first + point);
             let rows = frame.rows(&shape, &position);
             let (mass, density) = (p.mass[point], p.density[point]);
             let mut momentum = [T::zero(); 4];

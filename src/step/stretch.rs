@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::parallel::fold_blocks;
 use crate::shape::{MAX_WIDTH, ShapeFunction};
 use crate::simd::vectorized;
-use crate::stencil::rows_at;
+use crate::stencil::{rows_at, shape_at_point};
 
 /// Stretches the points' lengths with the flow: l_i ← l_i (1 + Δt ∂v_i/∂x_i), after \[Ma2009\].
 ///
@@ -25,12 +25,13 @@ pub fn stretch<T: Scalar, const D: usize, H: ShapeFunction<T>>(
     let moments = [[T::zero(); MAX_WIDTH]; D];
     let work = |slots: std::ops::Range<usize>, part: &mut [[T; D]]| {
         let begin = cells.first[slots.start] as usize;
-        vectorized!(simd => {
+        vectorized!(D, simd => {
             for slot in slots {
                 let cell = grid.cell_coordinates(cells.index[slot]);
                 let starts = &rows[slot * n_rows..(slot + 1) * n_rows];
                 for point in cells.points(slot) {
-                    let at = rows_at(shape, grid, cell, position[point]);
+                    let shape = shape_at_point(shape, grid, part, point - begin);
+                    let at = rows_at(&shape, grid, cell, position[point]);
                     let site = Site::<T, D, H> {
                         rows: &at,
                         moments: &moments,

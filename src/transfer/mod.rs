@@ -2,9 +2,11 @@
 
 mod apic;
 mod flip;
+mod taylor;
 
 pub use apic::Apic;
 pub use flip::{Flip, Pic};
+pub use taylor::Tpic;
 
 use crate::Scalar;
 use crate::math::Field;
@@ -25,6 +27,8 @@ pub trait Transfer<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     const USES_INCREMENT: bool;
     /// Whether an affine field is carried.
     const AFFINE: bool;
+    /// Whether that is the gradient of the nodes' velocity, not its first moment.
+    const BY_GRADIENT: bool = false;
 
     /// Share of the FLIP update in a step of `dt` seconds, 0 to 1.
     fn flip_share(&self, dt: T) -> T;
@@ -36,6 +40,7 @@ pub trait Transfer<T: Scalar, const D: usize>: Copy + Send + Sync + 'static {
     fn affine_of(gradient: [[T; D]; D]) -> Self::Affine;
 
     /// Affine field from `columns[a] = Σ N v (x − x_p)_a` and the diagonal of
-    /// `Σ N (x − x_p)(x − x_p)ᵀ`, m², in the first entries of a row.
+    /// `Σ N (x − x_p)(x − x_p)ᵀ`, m², in the first entries of a row; from `columns[a] = Σ ∂N/∂x_a v` where it
+    /// is [`Self::BY_GRADIENT`].
     fn affine_from(columns: &[[T; 4]; D], second_moment: &[T; 4]) -> Self::Affine;
 }

@@ -198,7 +198,7 @@ pub trait Case: Sync {
     /// Names of the methods compared, in the order of legends and tables; every variant of the library
     /// unless the case says otherwise.
     fn variants(&self) -> Vec<&'static str> {
-        Variant::ALL.iter().map(|variant| variant.name()).collect()
+        Variant::CORE.iter().map(|variant| variant.name()).collect()
     }
 
     /// Resolution steps; `--level` accepts `0..levels()`.

@@ -111,7 +111,7 @@ impl Case for AcousticPulse {
     /// Smoke: `tpm` on regular points, whose orders are checked, and all else on the coarsest level.
     fn runs(&self, tier: Tier) -> Vec<RunSpec> {
         let mut runs = Vec::new();
-        for variant in Variant::ALL {
+        for variant in Variant::CORE {
             for layout in LAYOUTS {
                 for dimension in [1, 2] {
                     let checked = variant == Variant::Tpm && layout == LAYOUTS[0];

@@ -99,7 +99,7 @@ impl Case for ElasticBarWave {
     /// Smoke: `tpm` on regular points, whose orders are checked, and all else on the coarsest level.
     fn runs(&self, tier: Tier) -> Vec<RunSpec> {
         let mut runs = Vec::new();
-        for variant in Variant::ALL {
+        for variant in Variant::CORE {
             for layout in LAYOUTS {
                 let checked = variant == Variant::Tpm && layout == LAYOUTS[0];
                 let levels = if tier == Tier::Smoke && !checked { 1 } else { CELLS.len() };

@@ -117,7 +117,7 @@ impl Case for ShearStartup {
     /// else on the coarsest.
     fn runs(&self, tier: Tier) -> Vec<RunSpec> {
         let mut runs = Vec::new();
-        for variant in Variant::ALL {
+        for variant in Variant::CORE {
             for layout in LAYOUTS {
                 for flow in FLOWS {
                     let checked = variant == Variant::Tpm && layout == LAYOUTS[0];

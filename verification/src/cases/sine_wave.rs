@@ -107,7 +107,7 @@ impl Case for SineWave {
             Tier::Paper | Tier::Full => &INSTANTS[..],
         };
         let mut runs = Vec::new();
-        for variant in Variant::ALL {
+        for variant in Variant::CORE {
             for layout in LAYOUTS {
                 for &instant in instants {
                     for level in 0..SPACINGS.len() {

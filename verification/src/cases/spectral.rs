@@ -117,7 +117,7 @@ impl Case for Spectral {
             {
                 continue;
             }
-            for variant in Variant::ALL {
+            for variant in Variant::CORE {
                 for settings in settings_of(variant, tier) {
                     runs.push(spec(variant, layout, settings, tier));
                 }

@@ -244,7 +244,7 @@ fn speed_figure(records: &[RunRecord]) -> Figure {
     let mut panels = Vec::new();
     for layout in LAYOUTS {
         let mut curves: Vec<Curve> = Vec::new();
-        for variant in Variant::ALL.map(Variant::name) {
+        for variant in Variant::CORE.map(Variant::name) {
             let points: Vec<(f64, f64)> = studied()
                 .filter(|record| record.spec.variant == variant && record.spec.layout == layout)
                 .filter_map(|record| Some((record, record.row(&quantity, "gauss-l2")?)))

@@ -1,0 +1,166 @@
+//! Taylor least squares within each cell, conserving mass and momentum.
+
+use std::marker::PhantomData;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{Cloud, Flow, PointField, Reconstruction};
+use crate::Scalar;
+use crate::basis::{Fit, Limiters, MomentSystem, PolynomialBasis};
+use crate::math::{Field, MAX_COMPONENTS, widen};
+use crate::simd::{Simd, SimdBase as _, splat};
+
+/// Conservative Taylor least squares, \[Wobbes2019\], with linear polynomials.
+///
+/// ```text
+/// q(x) = q_c + Σ_a s_a (x − x_c)_a/h_a  in every cell,   q_c = Σ_p m_p (v_p, 1) / V_c   for q = (ρv, ρ)
+/// ```
+///
+/// The slopes s are fitted to the cell's points; they have zero mean over the cell, so that the integrals
+/// `Σ_I ∫ N_I q = Σ_p m_p (v_p, 1)` stay whatever they are. Slopes of points that do not span the space are zero.
+/// Density for the pressure, and stress, are fitted without the constraint. Cells cut by the surface are sampled at
+/// their points: goes with [`WholeCells::Internal`](crate::quadrature::WholeCells).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TaylorLeastSquares<B>(PhantomData<B>);
+
+impl<B> TaylorLeastSquares<B> {
+    /// The reconstruction; it has no parameter.
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+/// Where a point lies about the center of its cell, cells.
+#[inline(always)]
+fn offset<T: Scalar, const D: usize>(
+    cloud: &Cloud<'_, T, D>,
+    cell: [usize; D],
+    point: usize,
+) -> [T; D] {
+    std::array::from_fn(|axis| {
+        let center = T::from_index(cell[axis]) + T::lit(0.5);
+        cloud.grid.in_cells(cloud.position[point], axis) - center
+    })
+}
+
+/// Slopes along the axes of D ≤ 3 of four fields, given Σ y yᵀ and Σ y q; zero where the points do not span them.
+#[inline(always)]
+fn slopes<T: Scalar>(squares: Matrix3<T>, products: [Vector3<T>; 4]) -> [Vector3<T>; 4] {
+    // Points in a plane, or closer to one than 1/100 of a cell.
+    let least = T::lit(1e-4);
+    match squares.cholesky() {
+        Some(factor) if factor.l().diagonal().iter().all(|&l| l * l > least) => {
+            products.map(|product| factor.solve(&product))
+        }
+        _ => [Vector3::zeros(); 4],
+    }
+}
+
+impl<T, const D: usize, B> Reconstruction<T, D> for TaylorLeastSquares<B>
+where
+    T: Scalar,
+    B: PolynomialBasis<T, D>,
+{
+    const REBUILDS_NODES: bool = false;
+    const BY_CELLS: bool = true;
+
+    #[inline(always)]
+    fn support(&self) -> T {
+        T::lit(0.5)
+    }
+
+    #[inline(always)]
+    fn fit_center<S: Simd, P: PointField<T, D>>(
+        &self,
+        simd: S,
+        cloud: &Cloud<'_, T, D>,
+        cell: [usize; D],
+        field: P,
+    ) -> Fit<P::Field> {
+        let index = cell.iter().zip(cloud.grid.n_cells).fold(0, |index, (&c, n)| index * n + c);
+        let range = cloud.cells.points(cloud.cells.slot_of[index] as usize);
+        let (first, n) = (range.start, range.len());
+        let points = field.run(cloud, range);
+        let (zero, one) = (T::zero(), T::one());
+        let mut system = B::System::<S>::empty(simd);
+        let mut start = 0;
+        while start < n {
+            let mut within = [zero; 4];
+            let mut place = [[zero; 4]; D];
+            for lane in 0..(n - start).min(4) {
+                within[lane] = one;
+                let y = offset(cloud, cell, first + start + lane);
+                for axis in 0..D {
+                    place[axis][lane] = y[axis];
+                }
+            }
+            let quad = field.quad(simd, &points, start);
+            let place = place.map(|row| T::Four::<S>::load_array(simd, row));
+            let components: &[T::Four<S>; MAX_COMPONENTS] = &quad.components;
+            let values = B::values(splat(simd, one), place);
+            let weight = T::Four::<S>::load_array(simd, within);
+            system.add(weight, &values, &components[..P::Field::COMPONENTS]);
+            start += 4;
+        }
+        system.solve(Limiters { leverage: None, positivity: None })
+    }
+
+    #[inline(always)]
+    fn fit_node<S: Simd, P: PointField<T, D>>(
+        &self,
+        _simd: S,
+        _cloud: &Cloud<'_, T, D>,
+        _node: [T; D],
+        _field: P,
+    ) -> Fit<P::Field> {
+        Fit::Empty
+    }
+
+    #[inline(always)]
+    fn cell_flow<S: Simd, P: PointField<T, D, Field = Flow<T, D>> + Copy>(
+        &self,
+        _simd: S,
+        cloud: &Cloud<'_, T, D>,
+        (slot, cell): (usize, [usize; D]),
+        field: P,
+    ) -> [[T; 4]; 4] {
+        let zero = T::zero();
+        let mut rows = [[zero; 4]; 4];
+        let per_volume = T::one() / cloud.grid.cell_volume();
+        let row_of = |point: usize| {
+            let (momentum, density) = field.at(point);
+            let mut row = widen(momentum.0);
+            row[3] = density.0;
+            row
+        };
+        for point in cloud.cells.points(slot) {
+            let row = row_of(point);
+            let volume = cloud.mass[point] / cloud.density[point];
+            for k in 0..4 {
+                rows[0][k] += volume * per_volume * row[k];
+            }
+        }
+        let mut squares = Matrix3::identity();
+        for axis in 0..D {
+            squares[(axis, axis)] = zero;
+        }
+        let mut products = [Vector3::zeros(); 4];
+        for point in cloud.cells.points(slot) {
+            let (row, y) = (row_of(point), offset(cloud, cell, point));
+            for axis in 0..D {
+                for other in 0..D {
+                    squares[(axis, other)] += y[axis] * y[other];
+                }
+                for k in 0..4 {
+                    products[k][axis] += y[axis] * (row[k] - rows[0][k]);
+                }
+            }
+        }
+        for (k, slopes) in slopes(squares, products).iter().enumerate() {
+            for axis in 0..D {
+                rows[1 + axis][k] = slopes[axis];
+            }
+        }
+        rows
+    }
+}
