@@ -264,19 +264,28 @@ where
         matches!(self.method.formulation(), Formulation::VelocityPressure(_))
     }
 
+    /// Points → cells: the fields of the active cells, and where their samples lie.
+    pub(crate) fn rebuild_cells(&mut self) {
+        gather_columns::<T, D, M, K>(&self.particles, &mut self.columns);
+        let Self { method, physics, grid, cells, particles, columns, .. } = self;
+        let view = View { method, physics, grid, cells, particles, columns };
+        let (centers, sites) = (&mut self.centers, &mut self.sites);
+        centers.resize(cells.len(), Center::default());
+        self.counters = self.counters.sum(rebuild_centers(&view, centers));
+        wetted_sites(&view, centers, sites);
+    }
+
     /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.
     pub fn particles_to_grid(&mut self, dt: T) {
-        let uses_centers = <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells();
-        gather_columns::<T, D, M, K>(&self.particles, &mut self.columns);
+        if <M::Quadrature as Quadrature<T, D>>::USES_CENTERS || self.uses_cells() {
+            self.rebuild_cells();
+        } else {
+            gather_columns::<T, D, M, K>(&self.particles, &mut self.columns);
+        }
         let Self { method, physics, grid, cells, particles, columns, .. } = self;
         let view = View { method, physics, grid, cells, particles, columns };
         let (nodes, centers, sites) = (&mut self.nodes, &mut self.centers, &mut self.sites);
         let mut counters = Counters::default();
-        if uses_centers {
-            centers.resize(cells.len(), Center::default());
-            counters = counters.sum(rebuild_centers(&view, centers));
-            wetted_sites(&view, centers, sites);
-        }
         let samples = CellSamples { centers, sites };
         counters = counters.sum(particles_to_grid(&view, samples, (ScatterParts::All, dt), nodes));
         let Nodes { index, transfer, velocity, .. } = nodes;

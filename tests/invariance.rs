@@ -275,7 +275,8 @@ where
     let slab = extrude::<D, E>(&scene);
     for point_volume in [PointVolume::CarriedCapped, PointVolume::VolumeFraction] {
         let settings = Settings { point_volume, ..Settings::default() };
-        for variant in Variant::ALL {
+        // One factor for all displacements is found from sums over all nodes, which differ between dimensions.
+        for variant in Variant::ALL.into_iter().filter(|&v| v != Variant::Bspline2Overfill) {
             let flat = run(&scene, variant, &settings, (STEPS[1], DT)).observe();
             let solid = run(&slab, variant, &settings, (STEPS[1], DT)).observe();
             for layer in solid.points.chunks(flat.points.len()) {

@@ -34,7 +34,9 @@ where
         let name = variant.name();
         assert_eq!(in_small.counters(), in_large.counters(), "{name}");
         assert_eq!(in_small.observe(), in_large.observe(), "{name}");
-        assert!(in_small.counters().n_sorts > 2, "{name}: nothing moves");
+        // PIC damps what would carry a point into another cell.
+        let moves = in_small.counters().n_sorts > 2;
+        assert!(moves || variant == Variant::Pic, "{name}: nothing moves");
     }
 }
 

@@ -16,6 +16,7 @@ use transpoint::scene::Boundary;
 use transpoint::shape::Linear;
 use transpoint::shape::QuadraticBspline;
 use transpoint::transfer::{Apic, Transfer};
+use transpoint::variants::{Fields, Kernel, TransferKind};
 use transpoint::{Settings, Solver, Variant};
 
 const VISCOSITY: f64 = 0.25;
@@ -115,9 +116,16 @@ fn points_carry_what_their_scene_and_method_need() {
             let bytes = |scene: &transpoint::Scene<D>| {
                 scene.build(variant, &Settings::default()).bytes_per_point()
             };
-            let affine = if variant == Variant::Apic { tensor } else { 0 };
-            assert_eq!(bytes(&scene), plain + affine, "{} in {D}D", variant.name());
-            assert_eq!(bytes(&viscous), plain + affine + tensor, "{} in {D}D", variant.name());
+            let parts = variant.parts();
+            let affine = if parts.transfer == TransferKind::Flip { 0 } else { tensor };
+            let length = if parts.kernel == Kernel::ConvectedGimp { 8 * D } else { 0 };
+            // Rivals, and all in one dimension, have room for energy and viscous pressure beside stress.
+            let has_own = parts.transfer != TransferKind::Tpic
+                && matches!(parts.fields, Fields::Carried | Fields::TransportPoints);
+            let unused = if has_own && D > 1 { 0 } else { 16 };
+            let carried = plain + affine + length;
+            assert_eq!(bytes(&scene), carried, "{} in {D}D", variant.name());
+            assert_eq!(bytes(&viscous), carried + tensor + unused, "{} in {D}D", variant.name());
         }
     }
     check::<1>();

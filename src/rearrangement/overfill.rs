@@ -110,10 +110,14 @@ where
         let mut squares = zero;
         for (slot, &node) in self.nodes.index.iter().enumerate() {
             let at = self.grid.node_coordinates(node);
+            let is_image =
+                (0..D).any(|axis| self.grid.periodic[axis] && at[axis] >= self.grid.n_cells[axis]);
             let volume = (0..D).fold(T::one(), |volume, axis| volume * room.along[axis][at[axis]]);
             let excess = (self.nodes.transfer[slot][0] - volume).max(zero);
             room.excess[slot] = [excess, zero, zero, zero];
-            squares += excess * excess;
+            if !is_image {
+                squares += excess * excess;
+            }
         }
         let Self { method, grid, cells, nodes, particles, .. } = &*self;
         let space = (grid, cells, &method.shape());

@@ -62,7 +62,7 @@ where
         cloud: &Cloud<'_, T, D>,
         at: (usize, [usize; D]),
         field: P,
-    ) -> [[T; 4]; 4] {
+    ) -> ([[T; 4]; 4], bool) {
         match self {
             Self::Moving(fit) => fit.cell_flow(simd, cloud, at, field),
             Self::Taylor(fit) => fit.cell_flow(simd, cloud, at, field),

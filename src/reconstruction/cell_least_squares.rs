@@ -59,13 +59,14 @@ where
         cloud: &Cloud<'_, T, D>,
         (slot, cell): (usize, [usize; D]),
         field: P,
-    ) -> [[T; 4]; 4] {
+    ) -> ([[T; 4]; 4], bool) {
         let own = || field.at(cloud.cells.points(slot).start);
-        let (momentum, density) =
-            self.0.fit_center(simd, cloud, cell, field).value().unwrap_or_else(own);
+        let fit = self.0.fit_center(simd, cloud, cell, field);
+        let regular = !matches!(fit, Fit::Empty | Fit::Constant(_));
+        let (momentum, density) = fit.value().unwrap_or_else(own);
         let mut rows = [[T::zero(); 4]; 4];
         rows[0] = widen(momentum.0);
         rows[0][3] = density.0;
-        rows
+        (rows, regular)
     }
 }

@@ -64,7 +64,7 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
 
     /// Momentum per volume (kg/(m² s)) and density (kg/m³, last entry) in an active cell: the value at its center, and
     /// for each axis the change over one cell. Where the method is [`Self::BY_CELLS`], nodes get
-    /// `∫ N (value + Σ_a slope_a (x − x_c)_a/h_a) dV` with linear hats.
+    /// `∫ N (value + Σ_a slope_a (x − x_c)_a/h_a) dV` with linear hats. The flag tells whether the fit was a regular one.
     #[inline(always)]
     fn cell_flow<S: Simd, P: PointField<T, D, Field = Flow<T, D>> + Copy>(
         &self,
@@ -72,8 +72,8 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         _cloud: &Cloud<'_, T, D>,
         _at: (usize, [usize; D]),
         _field: P,
-    ) -> [[T; 4]; 4] {
-        [[T::zero(); 4]; 4]
+    ) -> ([[T; 4]; 4], bool) {
+        ([[T::zero(); 4]; 4], true)
     }
 
     /// [`Self::fit_center`] for a single fit, outside of a kernel; `field(p)` is the value at point `p`.

@@ -17,7 +17,7 @@ use crate::simd::{Simd, SimdBase as _, splat};
 /// ```
 ///
 /// The slopes s are fitted to the cell's points; they have zero mean over the cell, so that the integrals
-/// `Σ_I ∫ N_I q = Σ_p m_p (v_p, 1)` stay whatever they are. Slopes of points that do not span the space are zero.
+/// `Σ_I ∫ N_I q = Σ_p m_p (v_p, 1)` stay whatever they are. Slopes are zero, and that is counted, where the points nearly lie in a plane.
 /// Density for the pressure, and stress, are fitted without the constraint. Cells cut by the surface are sampled at
 /// their points: goes with [`WholeCells::Internal`](crate::quadrature::WholeCells).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,17 +43,22 @@ fn offset<T: Scalar, const D: usize>(
     })
 }
 
-/// Slopes along the axes of D ≤ 3 of four fields, given Σ y yᵀ and Σ y q; zero where the points do not span them.
+/// Least mean square distance of a cell's points from their best plane through its center, cells², for slopes to be
+/// fitted; it is 1/12 for points all over the cell.
+const LEAST_SPREAD: f64 = 0.02;
+
+/// Slopes along the axes of four fields, given Σ y yᵀ and Σ y q over `n` points; `None` where these do not span the
+/// space well enough.
 #[inline(always)]
-fn slopes<T: Scalar>(squares: Matrix3<T>, products: [Vector3<T>; 4]) -> [Vector3<T>; 4] {
-    // Points in a plane, or closer to one than 1/100 of a cell.
-    let least = T::lit(1e-4);
-    match squares.cholesky() {
-        Some(factor) if factor.l().diagonal().iter().all(|&l| l * l > least) => {
-            products.map(|product| factor.solve(&product))
-        }
-        _ => [Vector3::zeros(); 4],
-    }
+fn slopes<T: Scalar>(
+    n: usize,
+    squares: Matrix3<T>,
+    products: [Vector3<T>; 4],
+) -> Option<[Vector3<T>; 4]> {
+    let least = T::lit(LEAST_SPREAD) * T::from_index(n);
+    let factor = squares.cholesky()?;
+    let spans = (0..3).all(|axis| factor.l_dirty()[(axis, axis)].powi(2) >= least);
+    spans.then(|| products.map(|product| factor.solve(&product)))
 }
 
 impl<T, const D: usize, B> Reconstruction<T, D> for TaylorLeastSquares<B>
@@ -123,7 +128,7 @@ where
         cloud: &Cloud<'_, T, D>,
         (slot, cell): (usize, [usize; D]),
         field: P,
-    ) -> [[T; 4]; 4] {
+    ) -> ([[T; 4]; 4], bool) {
         let zero = T::zero();
         let mut rows = [[zero; 4]; 4];
         let per_volume = T::one() / cloud.grid.cell_volume();
@@ -140,7 +145,9 @@ where
                 rows[0][k] += volume * per_volume * row[k];
             }
         }
-        let mut squares = Matrix3::identity();
+        let n = cloud.cells.points(slot).len();
+        // Axes that the grid has not are out of the way.
+        let mut squares = Matrix3::identity() * T::from_index(n);
         for axis in 0..D {
             squares[(axis, axis)] = zero;
         }
@@ -156,11 +163,12 @@ where
                 }
             }
         }
-        for (k, slopes) in slopes(squares, products).iter().enumerate() {
+        let Some(slopes) = slopes(n, squares, products) else { return (rows, false) };
+        for (k, slopes) in slopes.iter().enumerate() {
             for axis in 0..D {
                 rows[1 + axis][k] = slopes[axis];
             }
         }
-        rows
+        (rows, true)
     }
 }

@@ -5,6 +5,7 @@ use crate::cells::CellKind;
 use crate::material::Material;
 use crate::method::Method;
 use crate::parallel::for_each_block;
+use crate::settings::StressUpdate;
 use crate::solver::Solver;
 use crate::step::CELL_GRAIN;
 
@@ -25,6 +26,10 @@ where
     pub(crate) fn diffuse_density(&mut self) {
         let Some(mut kept) = self.smoother.take() else { return };
         if let Some(delta) = kept.density_diffusion {
+            if self.method.stress_update() == StressUpdate::First {
+                // The step's own come later.
+                self.rebuild_cells();
+            }
             kept.at_cells.resize(self.cells.len(), T::zero());
             let Self { physics, grid, cells, centers, .. } = &*self;
             let law = &physics.equation_of_state;

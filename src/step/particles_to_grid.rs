@@ -137,15 +137,22 @@ where
         let mut counters = Counters::default();
         for slab in slabs {
             for slot in first[slab]..first[slab + 1] {
-                counters.n_samples += self.scatter_cell(simd, slot as usize, target);
+                let (n_samples, regular) = self.scatter_cell(simd, slot as usize, target);
+                counters.n_samples += n_samples;
+                counters.n_singular_fallbacks += u64::from(!regular);
             }
         }
         counters
     }
 
-    /// Scatters one cell and returns the number of its samples.
+    /// Scatters one cell; returns the number of its samples, and whether fits were regular.
     #[inline(always)]
-    fn scatter_cell<S: Simd>(&self, simd: S, slot: usize, target: &mut Target<'_, T>) -> u64 {
+    fn scatter_cell<S: Simd>(
+        &self,
+        simd: S,
+        slot: usize,
+        target: &mut Target<'_, T>,
+    ) -> (u64, bool) {
         let view = self.view;
         let cell = view.grid.cell_coordinates(view.cells.index[slot]);
         let all = self.parts == ScatterParts::All;
@@ -157,24 +164,25 @@ where
         }
         let transfers = !<M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES
             || view.cells.near_surface[slot];
+        let mut regular = true;
         if at_center {
             if <M::Reconstruction as Reconstruction<T, D>>::BY_CELLS {
-                self.scatter_flow(simd, all, cell, slot, target);
+                regular = self.scatter_flow(simd, all, cell, slot, target);
             } else if transfers {
                 let none = (PointVolumes::Scaled(T::zero()), false);
                 self.scatter_points::<S, false>(simd, none, cell, slot, target);
             }
-            return u64::from(all);
+            return (u64::from(all), regular);
         }
         if !all {
             let none = (PointVolumes::Scaled(T::zero()), false);
             self.scatter_points::<S, false>(simd, none, cell, slot, target);
-            return 0;
+            return (0, regular);
         }
         let cloud = view.cloud();
         let volumes = view.method.quadrature().point_volumes(&cloud, slot);
         self.scatter_points::<S, true>(simd, (volumes, !by_cell), cell, slot, target);
-        view.cells.points(slot).len() as u64
+        (view.cells.points(slot).len() as u64, regular)
     }
 
     /// One Gauss point: mass and stress at the centre of a cell, or only the cell's pressure.
@@ -220,11 +228,12 @@ where
         cell: [usize; D],
         slot: usize,
         target: &mut Target<'_, T>,
-    ) {
+    ) -> bool {
         let view = self.view;
         let (grid, shape) = (view.grid, view.method.shape());
         let reconstruction = view.method.reconstruction();
-        let flow = reconstruction.cell_flow(simd, &view.cloud(), (slot, cell), nodes_read(view));
+        let (flow, regular) =
+            reconstruction.cell_flow(simd, &view.cloud(), (slot, cell), nodes_read(view));
         let volume = grid.cell_volume();
         let rows = rows_at_center(&shape, grid, cell);
         // First moments of the hats about the center are ± h/4: N s h/3 of them is N s/6.
@@ -253,6 +262,7 @@ where
             site.add::<S, M::Shape>(simd, (true, false), &spread, &mut sums);
             sums.store::<M::Shape, D>(target.force, starts, begin);
         }
+        regular
     }
 
     /// Columns of `V (p I − s)`, times Δt where the impulse is fused.
