@@ -163,6 +163,11 @@ impl Case for Channel {
     }
 }
 
+/// The run of a variant in the case `rivals`.
+pub(super) fn rival(variant: Variant) -> RunSpec {
+    spec(&policy::rival(variant))
+}
+
 fn spec(run: &Run) -> RunSpec {
     RunSpec {
         case: "channel".to_owned(),

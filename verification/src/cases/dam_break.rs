@@ -39,6 +39,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use transpoint::variants::Fields;
 use transpoint::{Settings, Variant};
 
 use crate::case::{Case, Findings, RunSpec, Tier};
@@ -143,6 +144,11 @@ impl Case for DamBreak {
     fn artifacts(&self, records: &[RunRecord]) -> Vec<Artifact> {
         results::artifacts(records, &self.policy())
     }
+}
+
+/// The run of a variant in the case `rivals`.
+pub(super) fn rival(variant: Variant) -> RunSpec {
+    spec(&policy::rival(variant, variant.parts().fields == Fields::Carried))
 }
 
 fn spec(run: &Run) -> RunSpec {

@@ -17,6 +17,7 @@ pub mod lattice;
 pub mod march;
 pub mod operators;
 pub mod riemann;
+pub mod rivals;
 pub mod series;
 pub mod shear_startup;
 pub mod sine_wave;
@@ -26,7 +27,7 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 15] = [
+pub static ALL: [&dyn Case; 16] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -40,6 +41,7 @@ pub static ALL: [&dyn Case; 15] = [
     &shear_startup::ShearStartup,
     &elastic_bar::ElasticBarWave,
     &column::Column,
+    &rivals::Rivals,
     &operators::Operators,
     &spectral::Spectral,
 ];

@@ -173,6 +173,18 @@ impl Case for Riemann {
     }
 }
 
+/// The run of a variant in the case `rivals`, on cells twice as large.
+pub(super) fn rival(variant: Variant) -> RunSpec {
+    let method = Method::of(variant);
+    let cells = (0.5 / SPACING).round() as usize;
+    let parameters = Parameters::new(&method, LAYOUTS[1], Dissipation::Viscous, cells);
+    RunSpec {
+        spacing: 2.0 * SPACING,
+        parameters: serde_json::to_value(parameters).unwrap_or_default(),
+        ..spec(&method, LAYOUTS[1], Dissipation::Viscous)
+    }
+}
+
 fn spec(method: &Method, layout: &str, dissipation: Dissipation) -> RunSpec {
     let cells = (1.0 / SPACING).round() as usize;
     let parameters = Parameters::new(method, layout, dissipation, cells);

@@ -155,6 +155,11 @@ impl Case for SineWave {
     }
 }
 
+/// The run of a variant in the case `rivals`.
+pub(super) fn rival(variant: Variant, level: usize) -> RunSpec {
+    spec(variant, LAYOUTS[1], INSTANTS[1], level, 2, 0)
+}
+
 fn spec(
     variant: Variant,
     layout: &str,

@@ -1,7 +1,7 @@
 //! The runs and their policy, which is that of all cases with a free surface.
 
 use transpoint::scene::Supply;
-use transpoint::variants::{Rearrangement, StressUpdate};
+use transpoint::variants::{Fields, Rearrangement, StressUpdate};
 use transpoint::{Settings, Variant};
 
 use super::scene::{Outlet, SOUND_SPEED};
@@ -48,11 +48,6 @@ impl Run {
         let damped = if self.damped { "-damped" } else { "" };
         format!("{supply}{outlet}{damped}")
     }
-
-    /// Whether points carry the mass.
-    const fn carries_mass(&self) -> bool {
-        !matches!(self.variant, Variant::TpmVpQuadratic | Variant::TpmVpConstant)
-    }
 }
 
 const fn base(variant: Variant, supply: Supply) -> Run {
@@ -85,6 +80,11 @@ const fn low(supply: Supply) -> Run {
 
 const fn smoke(variant: Variant, supply: Supply) -> Run {
     Run { layout: "coarse", spacing: 0.05, end: 2.0, tier: Tier::Smoke, ..base(variant, supply) }
+}
+
+/// The run of a variant in the case `rivals`.
+pub(super) const fn rival(variant: Variant) -> Run {
+    smoke(variant, Supply::Flux)
 }
 
 const TPM: Variant = Variant::TpmVpQuadratic;
@@ -129,10 +129,11 @@ pub(super) const VARIANTS: [Variant; 5] = [
 pub(super) fn settings(run: &Run) -> Settings {
     let filled = Rearrangement { fill: Some(FILL), ..Rearrangement::default() };
     let relaxation = if run.damped { DAMPED } else { INFLOW_RELAXATION };
-    let carries_mass = run.carries_mass();
+    let fields = run.variant.parts().fields;
+    let carried = fields == Fields::Carried;
     Settings {
-        stress_update: if carries_mass { StressUpdate::ModifiedLast } else { StressUpdate::Last },
-        rearrangement: (!carries_mass).then_some(filled),
+        stress_update: if carried { StressUpdate::ModifiedLast } else { StressUpdate::Last },
+        rearrangement: (fields == Fields::TransportPoints).then_some(filled),
         ..free_surface::settings(POINTS_PER_AXIS, run.spacing, SOUND_SPEED, relaxation)
     }
 }

@@ -126,6 +126,12 @@ const fn smoke(variant: Variant, difference: Difference) -> Run {
     }
 }
 
+/// The run of a variant in the case `rivals`.
+pub(super) const fn rival(variant: Variant, carried: bool) -> Run {
+    let difference = if carried { Difference::ModifiedLast } else { Difference::None };
+    Run { layout: "rivals", spacing: 0.04, ..smoke(variant, difference) }
+}
+
 const fn filmed(run: Run) -> Run {
     Run { frames: true, ..run }
 }

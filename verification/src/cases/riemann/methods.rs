@@ -50,7 +50,8 @@ pub(super) struct Method {
 const ALL: &[Dissipation] = &[Dissipation::Flip, Dissipation::Relaxed, Dissipation::Viscous];
 
 impl Method {
-    const fn of(variant: Variant) -> Self {
+    /// A variant with what it fixes itself.
+    pub(super) const fn of(variant: Variant) -> Self {
         Self {
             name: variant.name(),
             variant,
