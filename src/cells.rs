@@ -117,7 +117,7 @@ impl Cells {
         self.solid.get(cell).is_some_and(|&solid| solid)
     }
 
-    /// Which neighbours of a cell hold neither points nor a body; those beyond walls do not count.
+    /// Which neighbours of a cell hold no points; those beyond walls do not count.
     #[inline(always)]
     pub fn bare<T: Scalar, const D: usize>(&self, grid: &Grid<T, D>, cell: [usize; D]) -> Bare {
         let mut bare = Bare::default();
@@ -126,7 +126,7 @@ impl Cells {
                 let mut shift = [0; D];
                 shift[axis] = 2 * side as i32 - 1;
                 let neighbor = grid.neighbor(cell, shift);
-                bare.0[axis][side] = neighbor.is_some_and(|cell| self.is_vacant(cell));
+                bare.0[axis][side] = neighbor.is_some_and(|cell| self.slot_of[cell] == ABSENT);
             }
         }
         bare

@@ -41,15 +41,21 @@ where
         }
     }
 
-    /// Stretches the lengths of the points with the flow, where they carry any.
+    /// Finds how the flow stretches the lengths of the points, where they carry any; they take it up with
+    /// [`Self::take_lengths`], once the step no longer needs those from its start.
     pub(crate) fn stretch_lengths(&mut self, dt: T) {
-        let Self { method, grid, cells, particles, nodes, .. } = self;
-        if particles.length.is_empty() {
-            return;
+        let Self { method, grid, cells, particles, nodes, stretched, .. } = self;
+        stretched.clone_from(&particles.length);
+        if !stretched.is_empty() {
+            let space = (&*grid, &*cells, &method.shape());
+            let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
+            stretch(space, nodes, (&particles.position, &particles.length), stretched);
         }
-        let space = (&*grid, &*cells, &method.shape());
-        let nodes = (nodes.rows.as_slice(), nodes.velocity.as_slice(), dt);
-        stretch(space, nodes, &particles.position, &mut particles.length);
+    }
+
+    /// Replaces the lengths by those found before.
+    pub(crate) fn take_lengths(&mut self) {
+        std::mem::swap(&mut self.particles.length, &mut self.stretched);
         if self.method.shape().stretches() {
             self.counters.n_lengths_limited += self.limit_lengths();
         }

@@ -28,7 +28,8 @@ pub struct Particles<T, const D: usize, A, S> {
     pub affine: Vec<A>,
     /// What the material carries besides density: stress, internal energy.
     pub state: Vec<S>,
-    /// Lengths along the axes, m, that the flow stretches; empty unless points are split by them.
+    /// Lengths along the axes, m, that the flow stretches; empty unless points are split by them or the shape
+    /// functions depend on them.
     pub length: Vec<[T; D]>,
 }
 
@@ -71,7 +72,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         self.state.push(S::default());
     }
 
-    /// Bytes that one point takes.
+    /// Bytes that one point takes, without its lengths.
     pub fn bytes_per_point() -> usize {
         2 * size_of::<u32>()
             + 2 * size_of::<[T; D]>()

@@ -194,6 +194,7 @@ where
         return Err(InvalidInput::new(field("most_points"), n, allowed));
     }
     let reconstructs = <M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES;
+    let by_fits = <M::Reconstruction as Reconstruction<T, D>>::BY_CELLS;
     let rebuilt = "absent, or a method that reconstructs fields";
     let parts = [
         ("fill", settings.fill.is_some() && !reconstructs, rebuilt),
@@ -201,7 +202,7 @@ where
         ("shift", settings.shift.is_some() && !reconstructs, rebuilt),
         (
             "overfill",
-            settings.overfill.is_some() && reconstructs,
+            settings.overfill.is_some() && (reconstructs || by_fits),
             "absent, or a method with carried values",
         ),
         (

@@ -82,6 +82,7 @@ where
     pub(crate) divergence: Vec<T>,
     pub(crate) strain_is_rebuilt: bool,
     takes_all: bool,
+    pub(crate) stretched: Vec<[T; D]>,
 }
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
@@ -152,6 +153,7 @@ where
             divergence: Vec::new(),
             strain_is_rebuilt: false,
             takes_all: false,
+            stretched: Vec::new(),
         };
         solver.open_inlets(scene)?;
         solver.place_bodies(scene)?;
@@ -387,6 +389,9 @@ where
             source,
         };
         let outcome = grid_to_particles(&state, pass, dt, points);
+        if pass.motion {
+            self.take_lengths();
+        }
         self.counters.n_points_removed += outcome.n_removed;
         if outcome.n_removed > 0 {
             self.let_out();

@@ -14,7 +14,8 @@ pub use crate::settings::{
 };
 pub use parts::{Fields, Kernel, Parts, TransferKind};
 
-/// f of the volume-averaged F-bar, as in \[Zhao2023\].
+/// f of the averaged divergence: a hundredth of the point's own is kept against modes that the average does not
+/// see.
 const FBAR: f64 = 0.99;
 /// δ of the density diffusion, as is usual in δ-SPH, \[Antuono2010\].
 const DIFFUSION: f64 = 0.1;

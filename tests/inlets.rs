@@ -102,6 +102,12 @@ where
         Variant::Gimp,
         Variant::Bspline2,
         Variant::Apic,
+        Variant::ConvectedGimp,
+        Variant::Staggered,
+        Variant::Tpic,
+        Variant::MlsMpm,
+        Variant::Fmpm4,
+        Variant::SulskyGong,
     ];
     for variant in variants {
         for supply in supplies(variant) {

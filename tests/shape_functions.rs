@@ -1,46 +1,19 @@
 //! Identities that every grid shape function keeps, in every cell, at walls and on periodic axes.
-//!
-//! Bounds are multiples of the round-off unit ε, about twice the largest error of 1e5 random points.
 
-use proptest::prelude::*;
-use transpoint::Scalar;
-use transpoint::shape::{
-    AxisPosition, CubicBspline, Gimp, Linear, MAX_WIDTH, QuadraticBspline, Row, ShapeFunction,
+mod common;
+
+use common::shape_identities::{
+    Family, Precision, by_node, check_continuity, check_gradient, check_moments, check_reflection,
+    check_support, check_wall, position,
 };
-
-/// Round-off unit and difference step of a scalar type.
-trait Precision: Scalar {
-    const UNIT: f64;
-    const DIFFERENCE_STEP: f64;
-}
-
-impl Precision for f64 {
-    const UNIT: f64 = f64::EPSILON;
-    const DIFFERENCE_STEP: f64 = 1.0 / 65536.0;
-}
-
-impl Precision for f32 {
-    const UNIT: f64 = f32::EPSILON as f64;
-    const DIFFERENCE_STEP: f64 = 1.0 / 128.0;
-}
-
-/// What a test must know about a family besides its rows.
-trait Family<T: Precision>: ShapeFunction<T> {
-    /// Nodes beyond each wall, whose weight there is always zero.
-    const GHOSTS: usize = 0;
-    /// Whether the derivative is continuous.
-    const SMOOTH: bool = true;
-
-    /// Largest error of a central difference quotient of this family in exact arithmetic.
-    fn difference_error(&self, step: f64) -> f64;
-}
+use proptest::prelude::*;
+use transpoint::shape::{
+    AxisPosition, Bare, ConvectedGimp, Corrected, CubicBspline, DualDomain, Gimp, LeastSquares,
+    Linear, QuadraticBspline, Row, ShapeFunction, Staggered,
+};
 
 impl<T: Precision> Family<T> for Linear {
     const SMOOTH: bool = false;
-
-    fn difference_error(&self, _step: f64) -> f64 {
-        0.0
-    }
 }
 
 impl<T: Precision> Family<T> for Gimp<T> {
@@ -52,11 +25,7 @@ impl<T: Precision> Family<T> for Gimp<T> {
     }
 }
 
-impl<T: Precision> Family<T> for QuadraticBspline {
-    fn difference_error(&self, _step: f64) -> f64 {
-        0.0
-    }
-}
+impl<T: Precision> Family<T> for QuadraticBspline {}
 
 impl<T: Precision> Family<T> for CubicBspline {
     /// step²/6 times the third derivative, at most 18 (one cell between walls).
@@ -65,12 +34,78 @@ impl<T: Precision> Family<T> for CubicBspline {
     }
 }
 
-fn position<T: Precision>() -> impl Strategy<Value = AxisPosition<T>> {
-    let xi = prop_oneof![1 => Just(0.0), 1 => Just(0.5), 1 => Just(1.0), 9 => 0.0..=1.0];
-    (1_usize..=8, 0.0..1.0, xi, any::<bool>()).prop_map(|(n_cells, place, xi, periodic)| {
-        let cell = (place * n_cells as f64) as usize;
-        AxisPosition { cell, xi: T::lit(xi), n_cells, periodic }
-    })
+/// The length along the first axis, which is the one that rows are taken along.
+fn first_length<T: Precision>(shape: &ConvectedGimp<T>) -> f64 {
+    let at = AxisPosition { cell: 3, xi: T::zero(), n_cells: 8, periodic: false };
+    // On a node the outer weights are l/8.
+    8.0 * shape.row(at).weight[0].as_f64()
+}
+
+impl<T: Precision> Family<T> for ConvectedGimp<T> {
+    const GHOSTS: usize = 1;
+
+    /// As of uGIMP with the length along the axis.
+    fn difference_error(&self, step: f64) -> f64 {
+        0.75 * step / first_length(self)
+    }
+}
+
+/// Two hats half a cell apart have half the slope of one on the outer nodes, and the gradient is that of one.
+impl<T: Precision> Family<T> for Staggered {
+    const GHOSTS: usize = 1;
+    const SLOPES: bool = false;
+}
+
+/// The values are hats, whose slopes jump.
+impl<T: Precision> Family<T> for DualDomain {
+    const GHOSTS: usize = 1;
+    const SLOPES: bool = false;
+}
+
+impl<T: Precision> Family<T> for Corrected {
+    const GHOSTS: usize = 1;
+
+    /// As of uGIMP with length 1.
+    fn difference_error(&self, step: f64) -> f64 {
+        0.75 * step
+    }
+}
+
+impl<T: Precision> Family<T> for LeastSquares<QuadraticBspline> {
+    const SLOPES: bool = false;
+    const MIRROR: f64 = 8.0;
+
+    /// `Σ G = Σ N (x_i − x) / D`: the sum is zero to round-off, and D = ¼ but next to walls, where it vanishes.
+    fn amplification(&self, at: AxisPosition<T>) -> f64 {
+        let row = self.row(at);
+        let offset = |k: usize| {
+            let node: T = self.node_coordinate(at.cell + k, at.n_cells, at.periodic);
+            node.as_f64() - at.cell as f64 - at.xi.as_f64()
+        };
+        let second: f64 = (0..3).map(|k| row.weight[k].as_f64() * offset(k).powi(2)).sum();
+        1.0_f64.max(0.25 / second)
+    }
+}
+
+/// A family as seen along the first axis, where that depends on more than the position.
+#[derive(Clone, Copy, Debug)]
+struct AlongFirst<S>(S);
+
+impl<T: Precision, S: ShapeFunction<T>> ShapeFunction<T> for AlongFirst<S> {
+    const WIDTH: usize = S::WIDTH;
+    const REACH: usize = S::REACH;
+
+    fn row(&self, at: AxisPosition<T>) -> Row<T> {
+        self.0.row_along(0, at)
+    }
+
+    fn node_coordinate(&self, index: usize, n_cells: usize, periodic: bool) -> T {
+        self.0.node_coordinate(index, n_cells, periodic)
+    }
+}
+
+impl<T: Precision, S: Family<T>> Family<T> for AlongFirst<S> {
+    const GHOSTS: usize = S::GHOSTS;
 }
 
 fn gimp<T: Precision>() -> impl Strategy<Value = Gimp<T>> {
@@ -78,143 +113,36 @@ fn gimp<T: Precision>() -> impl Strategy<Value = Gimp<T>> {
         .prop_map(|length: f64| Gimp { length: T::lit(length) })
 }
 
-/// Values and derivatives by stored node of the axis, in `f64`.
-fn by_node<T: Precision, S: Family<T>>(shape: &S, at: AxisPosition<T>) -> (Vec<f64>, Vec<f64>) {
-    let row = shape.row(at);
-    let mut values = vec![0.0; at.n_cells + S::EXTRA];
-    let mut slopes = values.clone();
-    for k in 0..S::WIDTH {
-        values[at.cell + row.first + k] += row.weight[k].as_f64();
-        slopes[at.cell + row.first + k] += row.gradient[k].as_f64();
-    }
-    (values, slopes)
+fn convected<T: Precision>() -> impl Strategy<Value = ConvectedGimp<T>> {
+    let length = prop_oneof![Just(1.0 / 16.0), Just(1.0), 1.0 / 16.0..=1.0];
+    proptest::array::uniform3(length)
+        .prop_map(|length| ConvectedGimp::default().stretched(length.map(T::lit)))
 }
 
-/// Adds the images of a periodic axis.
-fn folded(values: &[f64], n_cells: usize) -> Vec<f64> {
-    let mut sums = vec![0.0; n_cells];
-    values.iter().enumerate().for_each(|(node, value)| sums[node % n_cells] += value);
-    sums
-}
-
-fn largest_gap(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-}
-
-fn check_support<T: Precision, S: Family<T>>(
+/// Sums stay what they are; on a bare side nothing reaches the node beyond the cell, and without bare sides nothing
+/// changes.
+fn check_bare<T: Precision, S: Family<T>>(
     shape: &S,
+    bare: [bool; 2],
     at: AxisPosition<T>,
 ) -> Result<(), TestCaseError> {
-    let Row { first, weight, gradient } = shape.row(at);
-    prop_assert!(S::WIDTH <= S::REACH && S::REACH <= MAX_WIDTH && S::EXTRA + 1 == S::REACH);
-    prop_assert!(first + S::WIDTH <= S::REACH, "first = {first}");
-    for k in 0..MAX_WIDTH {
-        prop_assert!(weight[k] >= T::zero() && weight[k] <= T::one(), "{weight:?}");
-        prop_assert!(k < S::WIDTH || (weight[k] == T::zero() && gradient[k] == T::zero()));
-    }
-    let (values, slopes) = by_node(shape, at);
-    let last = values.len() - 1;
-    for ghost in (0..S::GHOSTS).flat_map(|k| [k, last - k]).filter(|_| !at.periodic) {
-        prop_assert_eq!((values[ghost], slopes[ghost]), (0.0, 0.0), "ghost {}", ghost);
-    }
-    Ok(())
-}
-
-/// `Σ N = 1, Σ dN = 0, Σ N x_i = x, Σ dN x_i = 1`.
-fn check_moments<T: Precision, S: Family<T>>(
-    shape: &S,
-    at: AxisPosition<T>,
-) -> Result<(), TestCaseError> {
-    let (values, slopes) = by_node(shape, at);
-    let from_cell = |node: usize| {
-        let coordinate = shape.node_coordinate(node, at.n_cells, at.periodic);
-        coordinate.as_f64() - at.cell as f64
-    };
-    let moment = |of: &[f64]| of.iter().enumerate().map(|(i, v)| v * from_cell(i)).sum::<f64>();
-    let errors = [
-        values.iter().sum::<f64>() - 1.0,
-        slopes.iter().sum::<f64>(),
-        moment(&values) - at.xi.as_f64(),
-        moment(&slopes) - 1.0,
-    ];
-    for (error, bound) in errors.into_iter().zip([4.0, 4.0, 4.0, 10.0]) {
-        prop_assert!(error.abs() <= bound * T::UNIT, "{errors:?} at {at:?}");
-    }
-    Ok(())
-}
-
-fn check_gradient<T: Precision, S: Family<T>>(
-    shape: &S,
-    at: AxisPosition<T>,
-) -> Result<(), TestCaseError> {
-    let step = T::DIFFERENCE_STEP;
-    let xi = at.xi.as_f64().clamp(step, 1.0 - step);
-    let sample = |xi: f64| by_node(shape, AxisPosition { xi: T::lit(xi), ..at });
-    let ((before, _), (_, slopes), (after, _)) = (sample(xi - step), sample(xi), sample(xi + step));
-    let width = T::lit(xi + step).as_f64() - T::lit(xi - step).as_f64();
-    let quotients: Vec<_> = after.iter().zip(&before).map(|(b, a)| (b - a) / width).collect();
-    let bound = shape.difference_error(step) + 2.0 * T::UNIT / step;
-    let gap = largest_gap(&quotients, &slopes);
-    prop_assert!(gap <= bound, "{gap:e} > {bound:e} at {at:?}");
-    Ok(())
-}
-
-/// Node by node, across the face to the next cell; a periodic axis wraps around.
-fn check_continuity<T: Precision, S: Family<T>>(
-    shape: &S,
-    at: AxisPosition<T>,
-) -> Result<(), TestCaseError> {
-    let wraps = at.cell + 1 == at.n_cells;
-    if wraps && !at.periodic {
-        return Ok(());
-    }
-    let next = if wraps { 0 } else { at.cell + 1 };
-    let (mut before, mut slope_before) = by_node(shape, AxisPosition { xi: T::one(), ..at });
-    let (mut after, mut slope_after) =
-        by_node(shape, AxisPosition { cell: next, xi: T::zero(), ..at });
-    if at.periodic {
-        for values in [&mut before, &mut slope_before, &mut after, &mut slope_after] {
-            *values = folded(values, at.n_cells);
+    let beside = AlongFirst(shape.beside(Bare([bare; 3])));
+    check_support(&beside, at)?;
+    check_moments(&beside, at)?;
+    let Row { first, weight, gradient } = beside.row(at);
+    for (is_bare, outer) in bare.into_iter().zip([0, 3]) {
+        if let Some(k) = usize::checked_sub(outer, first).filter(|&k| is_bare && k < S::WIDTH) {
+            prop_assert_eq!((weight[k], gradient[k]), (T::zero(), T::zero()), "node {}", outer);
         }
     }
-    prop_assert!(largest_gap(&before, &after) <= T::UNIT, "{before:?} {after:?}");
-    if S::SMOOTH {
-        let gap = largest_gap(&slope_before, &slope_after);
-        prop_assert!(gap <= T::UNIT, "{slope_before:?} {slope_after:?}");
+    if bare == [false; 2] {
+        prop_assert_eq!(beside.row(at), shape.row(at));
     }
-    Ok(())
-}
-
-/// Exact: the outermost node alone is one on its wall.
-fn check_wall<T: Precision, S: Family<T>>(
-    shape: &S,
-    n_cells: usize,
-    upper: bool,
-) -> Result<(), TestCaseError> {
-    let (cell, xi) = if upper { (n_cells - 1, T::one()) } else { (0, T::zero()) };
-    let (values, _) = by_node(shape, AxisPosition { cell, xi, n_cells, periodic: false });
-    let wall_node = if upper { values.len() - 1 - S::GHOSTS } else { S::GHOSTS };
-    for (node, value) in values.into_iter().enumerate() {
-        prop_assert_eq!(value, f64::from(node == wall_node), "node {}", node);
-    }
-    let coordinate = shape.node_coordinate(wall_node, n_cells, false);
-    prop_assert_eq!(coordinate.as_f64(), if upper { n_cells as f64 } else { 0.0 });
-    Ok(())
-}
-
-/// The mirrored point has the mirrored row to the last bit, where 1 − ξ is exact and ξ ≠ ½.
-fn check_reflection<T: Precision, S: Family<T>>(
-    shape: &S,
-    at: AxisPosition<T>,
-) -> Result<(), TestCaseError> {
-    let xi = ((at.xi.as_f64() * 1023.0).floor() + 0.5) / 1024.0;
-    let (values, slopes) = by_node(shape, AxisPosition { xi: T::lit(xi), ..at });
-    let mirror = AxisPosition { cell: at.n_cells - 1 - at.cell, xi: T::lit(1.0 - xi), ..at };
-    let (mut mirrored, mirrored_slopes) = by_node(shape, mirror);
-    mirrored.reverse();
-    let mirrored_slopes: Vec<_> = mirrored_slopes.into_iter().rev().map(|slope| -slope).collect();
-    prop_assert_eq!(values, mirrored);
-    prop_assert_eq!(slopes, mirrored_slopes);
+    // The other axes have sides of their own.
+    let mut elsewhere = Bare([bare; 3]);
+    elsewhere.0[0] = [false; 2];
+    let (values, slopes) = by_node(&AlongFirst(shape.beside(elsewhere)), at);
+    prop_assert_eq!((values, slopes), by_node(shape, at));
     Ok(())
 }
 
@@ -277,3 +205,31 @@ identities!(quadratic_f64, f64, Just(QuadraticBspline));
 identities!(quadratic_f32, f32, Just(QuadraticBspline));
 identities!(cubic_f64, f64, Just(CubicBspline));
 identities!(cubic_f32, f32, Just(CubicBspline));
+identities!(convected_f64, f64, convected::<f64>());
+identities!(convected_f32, f32, convected::<f32>());
+identities!(staggered_f64, f64, Just(Staggered));
+identities!(staggered_f32, f32, Just(Staggered));
+identities!(dual_domain_f64, f64, Just(DualDomain::default()));
+identities!(dual_domain_f32, f32, Just(DualDomain::default()));
+identities!(corrected_f64, f64, Just(Corrected::default()));
+identities!(corrected_f32, f32, Just(Corrected::default()));
+identities!(least_squares_f64, f64, Just(LeastSquares(QuadraticBspline)));
+identities!(least_squares_f32, f32, Just(LeastSquares(QuadraticBspline)));
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bare_sides_keep_the_sums(at in position::<f64>(), lower in any::<bool>(), upper in any::<bool>()) {
+        check_bare(&DualDomain::default(), [lower, upper], at)?;
+        check_bare(&Corrected::default(), [lower, upper], at)?;
+    }
+
+    #[test]
+    fn bare_sides_keep_the_sums_in_f32(
+        at in position::<f32>(), lower in any::<bool>(), upper in any::<bool>()
+    ) {
+        check_bare(&DualDomain::default(), [lower, upper], at)?;
+        check_bare(&Corrected::default(), [lower, upper], at)?;
+    }
+}

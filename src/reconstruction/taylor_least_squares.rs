@@ -18,7 +18,8 @@ use crate::simd::{Simd, SimdBase as _, splat};
 ///
 /// The slopes s are fitted to the cell's points; they have zero mean over the cell, so that the integrals
 /// `Σ_I ∫ N_I q = Σ_p m_p (v_p, 1)` stay whatever they are. Slopes are zero, and that is counted, where the points nearly lie in a plane.
-/// Density for the pressure, and stress, are fitted without the constraint. Cells cut by the surface are sampled at
+/// Density for the pressure, and stress, are fitted without the constraint at the center, where the force is sampled
+/// once. Cells cut by the surface are sampled at
 /// their points: goes with [`WholeCells::Internal`](crate::quadrature::WholeCells).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TaylorLeastSquares<B>(PhantomData<B>);
@@ -56,9 +57,11 @@ fn slopes<T: Scalar>(
     products: [Vector3<T>; 4],
 ) -> Option<[Vector3<T>; 4]> {
     let least = T::lit(LEAST_SPREAD) * T::from_index(n);
+    if squares.symmetric_eigenvalues().min() < least {
+        return None;
+    }
     let factor = squares.cholesky()?;
-    let spans = (0..3).all(|axis| factor.l_dirty()[(axis, axis)].powi(2) >= least);
-    spans.then(|| products.map(|product| factor.solve(&product)))
+    Some(products.map(|product| factor.solve(&product)))
 }
 
 impl<T, const D: usize, B> Reconstruction<T, D> for TaylorLeastSquares<B>

@@ -5,8 +5,8 @@ use crate::Scalar;
 
 /// The functions of the dual domain material point method, \[Zhang2011\], one axis at a time.
 ///
-/// Weights are those of the linear hat. The gradient goes over from that of the hat in the middle of a cell to
-/// means about the nodes on its faces:
+/// Weights are those of the linear hat. The gradient goes over from equal parts of that of the hat and of means about
+/// the nodes, in the middle of a cell, to those means on its faces:
 ///
 /// ```text
 /// G_i = α N_i′ + (1 − α) Σ_j N_j (1/V_j) ∫ N_j N_i′ dx,   V_j = ∫ N_j dx,   α = 2 ξ (1 − ξ)

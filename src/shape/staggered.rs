@@ -13,8 +13,9 @@ use crate::Scalar;
 /// ```
 ///
 /// and in several dimensions their products. G is continuous across faces, so that points that cross them feel no
-/// jump, and it is not the derivative of N: that is half as steep on the outer nodes. The half cell at a wall,
-/// which has no centre beyond it, carries the linear hat. Stored node `j` lies at coordinate `j − 1`.
+/// jump; it is not the derivative of N, which is ∓1/(2h) on the outer nodes. The half cell at a wall, which has no
+/// centre beyond it, carries the linear hat, so that linear fields are kept there (in the original ψ is constant up to
+/// the wall). Stored node `j` lies at coordinate `j − 1`.
 ///
 /// ```
 /// use transpoint::shape::{AxisPosition, ShapeFunction, Staggered};

@@ -15,14 +15,14 @@ where
     M: Method<T, D>,
     K: Material<T, D>,
 {
-    /// Adds a diffusion of density to the divergence of internal cells, after \[Antuono2010\] on cells:
+    /// Adds a diffusion of density to the divergence of internal cells, as δ-SPH \[Antuono2010\] does to its points:
     ///
     /// ```text
     /// D_c ← D_c − (δ c / ρ_c) Σ_faces (ρ_n − ρ_c − ρ̄ b · (x_n − x_c)/c²) / h_a
     /// ```
     ///
     /// over the internal neighbours n; the last term takes out the hydrostatic slope, so that a tank at rest stays as it
-    /// is. δ is the setting `density_diffusion`, c the speed of sound in the cell.
+    /// is (there, differences of renormalized gradients do that). δ is the setting `density_diffusion`, c the speed of sound in the cell.
     pub(crate) fn diffuse_density(&mut self) {
         let Some(mut kept) = self.smoother.take() else { return };
         if let Some(delta) = kept.density_diffusion {

@@ -14,7 +14,8 @@ where
     M: Method<T, D>,
     K: Material<T, D>,
 {
-    /// Volume-averaged F-bar, \[Zhao2023\], in rates:
+    /// Averages the divergence of the points after the F-bar of \[Zhao2023\], who average the volume change
+    /// since the start; here its rate, weighted by mass:
     ///
     /// ```text
     /// D̄_p = f Σ_I N_I D_I + (1 − f) D_p,   D_I = Σ_p N m_p D_p / Σ_p N m_p

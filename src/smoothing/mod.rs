@@ -52,6 +52,7 @@ where
         let by_cell = self.method.formulation() != Formulation::Standard;
         let rebuilds = <M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES;
         let affine = <M::Transfer as Transfer<T, D>>::AFFINE;
+        let by_fits = <M::Reconstruction as Reconstruction<T, D>>::BY_CELLS;
         let work = self.physics.material.wants_work();
         let parts = [
             (
@@ -60,8 +61,13 @@ where
                 "absent, or a variant without affine transfer whose energy is updated by strain",
             ),
             (
+                "projection",
+                projection.is_some() && self.bodies.is_some(),
+                "absent where the scene has bodies, whose forces are summed before it",
+            ),
+            (
                 "dilation",
-                dilation.is_some() && (by_cell || rebuilds),
+                dilation.is_some() && (by_cell || rebuilds || by_fits),
                 "absent, or a variant with carried values whose divergence is that of its points",
             ),
             (

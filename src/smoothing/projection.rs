@@ -29,6 +29,12 @@ where
             kept.n_steps = (kept.n_steps + 1) % projection.interval;
             kept.n_steps == 0
         });
+        if kept.projection.is_some() {
+            // In every step, so that none but the first takes memory.
+            super::resize_points(&mut kept.at_points, self.particles.len());
+            kept.rest.resize(self.nodes.len(), [T::zero(); 4]);
+            kept.at_nodes.resize(self.nodes.len(), [T::zero(); 4]);
+        }
         if let Some(projection) = kept.projection.filter(|_| due) {
             self.start_rest(projection.kind, &mut kept);
             for _ in 1..projection.order {
@@ -53,7 +59,6 @@ where
 
     /// `rest ← rest − R N rest`, then `v ← v + rest`.
     fn filter_rest(&mut self, kept: &mut SmootherOf<T, D, M>) {
-        super::resize_points(&mut kept.at_points, self.particles.len());
         let Self { method, grid, cells, nodes, particles, .. } = &*self;
         let shape = method.shape();
         interpolate(

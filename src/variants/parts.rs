@@ -72,8 +72,8 @@ pub enum Fields {
     /// [`CellLeastSquares`](crate::reconstruction::CellLeastSquares), linear basis, sampled at the centers of all
     /// cells that hold points.
     CellLeastSquares,
-    /// [`TaylorLeastSquares`](crate::reconstruction::TaylorLeastSquares), linear basis, integrated over full cells
-    /// and sampled at the points of cut ones.
+    /// [`TaylorLeastSquares`](crate::reconstruction::TaylorLeastSquares), linear basis, momentum and mass
+    /// integrated over full cells, forces sampled at their centers and at the points of cut ones.
     TaylorLeastSquares,
 }
 

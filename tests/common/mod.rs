@@ -9,6 +9,7 @@ pub mod parts;
 pub mod phases;
 pub mod rearranging;
 pub mod scenes;
+pub mod shape_identities;
 
 use transpoint::{Observation, Scalar};
 
