@@ -26,7 +26,7 @@ fn inner(xi: f64) -> AxisPosition<f64> {
 fn by_vertex<S: ShapeFunction<f64>>(shape: &S, row: &Row<f64>) -> [[f64; 2]; 4] {
     let mut found = [[0.0; 2]; 4];
     for k in 0..S::WIDTH {
-        let node = shape.node_coordinate(3 + row.first + k, 8, false);
+        let node: f64 = shape.node_coordinate(3 + row.first + k, 8, false);
         found[node as usize - 2] = [row.weight[k], row.gradient[k]];
     }
     found
@@ -199,7 +199,10 @@ fn least_squares_gradient_of_a_linear_velocity_is_exact() {
                 continue;
             }
             let row = shape.row(AxisPosition { cell, xi, n_cells, periodic: false });
-            let velocity = |k: usize| 2.0 + 3.0 * shape.node_coordinate(cell + k, n_cells, false);
+            let velocity = |k: usize| {
+                let node: f64 = shape.node_coordinate(cell + k, n_cells, false);
+                2.0 + 3.0 * node
+            };
             let gradient: f64 = (0..3).map(|k| row.gradient[k] * velocity(k)).sum();
             assert_close(gradient, 3.0, 70.0 * 14.0 * f64::EPSILON);
         }

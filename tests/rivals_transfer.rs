@@ -3,10 +3,10 @@
 mod common;
 
 use common::checks::interior_nodes;
+use common::near;
 use common::parts::{DT, FLIP};
 use common::phases::{node_sums, owned_nodes, scatter, scheme, solver};
 use common::scenes::{Block, Build, DENSITY, SPACING, run};
-use common::{Random, near};
 use transpoint::basis;
 use transpoint::method::Scheme;
 use transpoint::quadrature::WholeCells;
@@ -52,7 +52,7 @@ fn loss(variant: Variant, cells: f64) -> f64 {
 ///
 /// PIC: 1 − ⟨|W|²⟩; APIC: 1 − ⟨|W|² + 4 |B|²⟩; TPIC: 1 − ⟨|W|² + S B*⟩; FMPM(k): (1 − ⟨|W|²⟩)^k.
 ///
-/// Five digits; 1e-4 of the loss, but for the round-off of the ratio.
+/// Five digits; 1e-4 of the loss, and 1e-13 for sound, which changes the velocity by (k c Δt)² = 6e-15 in each step.
 #[test]
 fn steps_lose_what_the_symbols_of_the_transfers_say() {
     let published = [
@@ -67,7 +67,7 @@ fn steps_lose_what_the_symbols_of_the_transfers_say() {
     for (variant, losses) in published {
         for (cells, exact) in [8.0, 10.0, 20.0, 40.0].into_iter().zip(losses) {
             let what = format!("{} at {cells} cells", variant.name());
-            near(&what, loss(variant, cells), exact, 1e-4 * exact + 1e-14).unwrap();
+            near(&what, loss(variant, cells), exact, 1e-4 * exact + 1e-13).unwrap();
         }
     }
 }
@@ -131,12 +131,24 @@ fn drifts(variant: Variant) -> [f64; 3] {
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 #[test]
-fn carried_values_keep_momentum_in_every_variant() {
-    for variant in Variant::ALL {
+fn carried_values_keep_mass_and_momentum() {
+    let moves = |variant: &Variant| *variant == Variant::Bspline2Overfill;
+    let carried = |variant: &Variant| variant.parts().fields == Fields::Carried;
+    for variant in Variant::ALL.into_iter().filter(|v| carried(v) && !moves(v)) {
         let drifts = drifts(variant);
-        println!("{} {drifts:?}", variant.name());
-        if variant.parts().fields == Fields::Carried {
-            //assert!(drifts.iter().all(|&drift| drift <= ROUND_OFF), "{} {drifts:?}", variant.name());
+        let most = drifts.into_iter().fold(0.0, f64::max);
+        assert!(most <= ROUND_OFF, "{}: {drifts:?}", variant.name());
+    }
+}
+
+/// Cells that give momentum and mass to the nodes do not give each point's share where the point takes it up, and
+/// shifted points take up the velocity of their new place: what is lost is a part of the impulses of the three steps,
+/// 3 Δt |∇p|/ρ ~ 3 C c 2e-3 = 0.015 m/s. Mass is kept.
+#[test]
+fn cell_wise_fits_and_shifts_do_not_keep_momentum() {
+    for variant in [Variant::SulskyGong, Variant::TaylorLeastSquares, Variant::Bspline2Overfill] {
+        for drift in drifts(variant) {
+            assert!(drift > 1e-6 && drift < 0.015, "{}: {drift:e}", variant.name());
         }
     }
 }
@@ -242,5 +254,4 @@ fn sulsky_gong_velocity_of_a_linear_field_is_that_of_the_field() {
             near("v", solver.nodes.velocity[slot][axis], exact[axis], 1e-12).unwrap();
         }
     }
-    assert!(Random(1).unit() < 1.0);
 }

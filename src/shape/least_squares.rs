@@ -28,11 +28,11 @@ impl<T: Scalar, S: ShapeFunction<T>> ShapeFunction<T> for LeastSquares<S> {
     #[inline(always)]
     fn row(&self, at: AxisPosition<T>) -> Row<T> {
         let mut row = self.0.row(at);
-        let place = T::from_index(at.cell) + at.xi;
+        let cell = T::from_index(at.cell);
         let mut second = T::zero();
         for k in 0..S::WIDTH {
             let node = at.cell + row.first + k;
-            let offset = self.0.node_coordinate(node, at.n_cells, at.periodic) - place;
+            let offset = self.0.node_coordinate(node, at.n_cells, at.periodic) - cell - at.xi;
             row.gradient[k] = row.weight[k] * offset;
             second += row.gradient[k] * offset;
         }

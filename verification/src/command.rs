@@ -1,11 +1,15 @@
 //! The commands: each takes a plan and returns a verdict.
 
+use std::collections::BTreeMap;
 use std::io::Write;
 
 use anyhow::{Context, Result, bail};
 use serde::Serialize;
+use transpoint::Variant;
+use transpoint::formulation::Formulation;
+use transpoint::variants::{Fields, Kernel, Parts, TransferKind};
 
-use crate::cases;
+use crate::cases::{self, rivals};
 use crate::cli::{
     Arguments, CheckArguments, Command, Format, ListArguments, ReportArguments, RunArguments,
 };
@@ -96,6 +100,43 @@ struct ListedRun {
 }
 
 #[derive(Serialize)]
+struct ListedVariant {
+    variant: &'static str,
+    about: &'static str,
+    kernel: Kernel,
+    nodes_per_axis: usize,
+    fields: Fields,
+    transfer: TransferKind,
+    formulation: Formulation,
+    fixes: BTreeMap<String, serde_json::Value>,
+    page: String,
+}
+
+impl ListedVariant {
+    fn of(variant: Variant) -> Self {
+        let Parts { kernel, fields, transfer, formulation, .. } = variant.parts();
+        Self {
+            variant: variant.name(),
+            about: variant.about(),
+            kernel,
+            nodes_per_axis: kernel.width(),
+            fields,
+            transfer,
+            formulation,
+            fixes: rivals::fixed(variant).into_iter().collect(),
+            page: format!("docs/methods/{}.md", variant.name()),
+        }
+    }
+}
+
+/// What can be run: the methods of the library, and the cases.
+#[derive(Serialize)]
+struct Listing {
+    variants: Vec<ListedVariant>,
+    cases: Vec<ListedCase>,
+}
+
+#[derive(Serialize)]
 struct ListedCase {
     case: &'static str,
     about: &'static str,
@@ -129,7 +170,10 @@ fn list(arguments: &ListArguments) -> Result<Verdict> {
     }
     match arguments.format {
         Format::Text => print_text(&list_text(&listed, &plan))?,
-        Format::Json => print_json(&listed)?,
+        Format::Json => print_json(&Listing {
+            variants: Variant::ALL.map(ListedVariant::of).into_iter().collect(),
+            cases: listed,
+        })?,
     }
     Ok(Verdict::Holds)
 }

@@ -6,14 +6,17 @@
 //! sine-wave   standing wave on cells of 20 and 10 mm (levels 0 and 1), jittered points, at T/4
 //! riemann     pressure jump on cells of 2 mm, jittered points, with bulk viscosity
 //! dam-break   column of water on cells of 40 mm, 2 x 2 points each, up to T = 2
+//! courant     noise in a periodic box, jittered points that stay in place: the largest stable Courant number,
+//!             to 0.1, by bisection with 1000 steps each
 //! channel     inflow into an empty channel on cells of 50 mm, points supplied by the flux, up to 2 s
 //! ```
 //!
-//! In the last two, fields that are carried go with the stress updated modified-last and reconstructed ones with
+//! In `dam-break` and `channel`, fields that are carried go with the stress updated modified-last and reconstructed ones with
 //! the stress updated last, and where points carry no mass of their own, fractures of the channel are filled, as in
 //! those cases. What a variant fixes comes before that. A variant that cannot run a scene is refused with a reason,
 //! which is a result as a burst is.
 
+mod courant;
 mod results;
 #[cfg(test)]
 mod tests;
@@ -41,6 +44,9 @@ struct Scene {
     spec: fn(Variant, usize) -> RunSpec,
 }
 
+/// The layout of the runs that look for the largest stable Courant number.
+const COURANT: &str = "courant";
+
 /// Every scene, in the order of the matrix.
 static SCENES: [Scene; 4] = [
     Scene { name: "sine-wave", case: &SineWave, levels: 2, spec: sine_wave::rival },
@@ -63,6 +69,11 @@ static SCENES: [Scene; 4] = [
         spec: |variant, _| channel::rival(variant),
     },
 ];
+
+/// The settings that a variant fixes, by name.
+pub fn fixed(variant: Variant) -> Vec<(String, serde_json::Value)> {
+    results::fixed(variant)
+}
 
 /// The case `rivals`.
 #[derive(Clone, Copy, Debug)]
@@ -104,10 +115,14 @@ impl Case for Rivals {
                 }));
             }
         }
+        runs.extend(Variant::ALL.map(courant::spec));
         runs
     }
 
     fn execute(&self, spec: &RunSpec, progress: &Progress) -> Findings {
+        if spec.layout == COURANT {
+            return courant::execute(spec, progress);
+        }
         match SCENES.iter().find(|scene| scene.name == spec.layout) {
             Some(scene) => scene.case.execute(spec, progress),
             None => Findings::not_built(&format!("no scene {}", spec.layout), Vec::new()),
