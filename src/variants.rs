@@ -213,6 +213,14 @@ variants! {
     TpicFbar = "tpic-fbar", "quadratic B-spline MPM, Taylor transfer, volume-averaged F-bar [Nakamura2023] [Zhao2023]",
         [QuadraticBspline, Carried, Tpic, STANDARD], |s| s.dilation = Some(FBAR);
 
+    /// Quadratic B-spline MPM with Taylor transfer, averaged divergence and points pushed out of overfull nodes.
+    TpicFbarOverfill = "tpic-fbar-overfill",
+        "`tpic-fbar`, points shifted where nodes are overfull [Baumgarten2023]",
+        [QuadraticBspline, Carried, Tpic, STANDARD], |s| {
+            s.dilation = Some(FBAR);
+            shift_by_overfill(s);
+        };
+
     /// Linear MPM with adaptive splitting.
     MpmSplit = "mpm-split", "linear MPM, FLIP, points split by their stretch [Ma2009]",
         [Linear, Carried, Flip, STANDARD], |s| split_by_stretch(s);
