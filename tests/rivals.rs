@@ -228,7 +228,8 @@ fn scene() -> Scene<2> {
 
 /// Field and what is allowed, of the error of a variant with some settings.
 fn refusal(variant: Variant, settings: &Settings) -> (String, String) {
-    let error = variant.build_2d(&scene(), settings).err().expect(variant.name());
+    let built = variant.build_2d(&scene(), settings);
+    let Err(error) = built else { panic!("{} takes it", variant.name()) };
     (error.field, error.allowed)
 }
 

@@ -135,7 +135,7 @@ fn averaged_dilation_takes_a_checkerboard_out() {
         let mut solver = solver::<f64, 1, _>(&scene, mpm(QuadraticBspline));
         solver.set_smoothing(&settings).unwrap();
         scatter(&mut solver, 0.0);
-        let sign = |index: usize| if index % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |index: usize| if index.is_multiple_of(2) { 1.0 } else { -1.0 };
         for slot in 0..solver.nodes.len() {
             let node = solver.nodes.index[slot] as usize;
             solver.nodes.velocity[slot] = velocity_row([SPACING[0] * sign(node)]);

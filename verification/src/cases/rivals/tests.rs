@@ -26,3 +26,14 @@ fn what_a_variant_fixes_is_listed() {
     assert_eq!(names(Variant::MpmUsf), "stress_update");
     assert_eq!(names(Variant::Fmpm4), "projection");
 }
+
+#[test]
+fn every_variant_has_a_page_that_the_index_links() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/methods");
+    let index = std::fs::read_to_string(folder.join("README.md")).unwrap();
+    for name in Variant::ALL.map(Variant::name) {
+        let page = std::fs::read_to_string(folder.join(format!("{name}.md"))).unwrap();
+        assert!(page.starts_with(&format!("# {name}\n")), "{name}");
+        assert!(index.contains(&format!("({name}.md)")), "{name}");
+    }
+}
