@@ -248,6 +248,7 @@ fn smoothing_that_a_method_cannot_honor_is_refused() {
         (Variant::TpmVpQuadratic, dilation, "dilation", "carried values"),
         (Variant::Tpm, dilation, "dilation", "carried values"),
         (Variant::MpmVp, dilation, "dilation", "carried values"),
+        (Variant::SulskyGong, dilation, "dilation", "carried values"),
         (Variant::Mpm, diffusion, "density_diffusion", "velocity-pressure formulation"),
         (Variant::Tpm, diffusion, "density_diffusion", "velocity-pressure formulation"),
     ];
