@@ -118,7 +118,7 @@ where
             }
         } else {
             if let Some(overfill) = overfill
-                && self.counters.n_steps % u64::from(overfill.interval) == 0
+                && self.counters.n_steps.is_multiple_of(u64::from(overfill.interval))
             {
                 self.shift_overfill(&mut kept);
             }

@@ -107,15 +107,28 @@ where
             field
         }));
         self.transfer_field(&mut room.per_density, &mut room.no_affine, &mut room.excess);
-        let mut squares = zero;
-        for (slot, &node) in self.nodes.index.iter().enumerate() {
+        let room_of = |node: u32| {
             let at = self.grid.node_coordinates(node);
             let is_image =
                 (0..D).any(|axis| self.grid.periodic[axis] && at[axis] >= self.grid.n_cells[axis]);
-            let volume = (0..D).fold(T::one(), |volume, axis| volume * room.along[axis][at[axis]]);
-            let excess = (self.nodes.transfer[slot][0] - volume).max(zero);
+            let space = (0..D).fold(T::one(), |space, axis| space * room.along[axis][at[axis]]);
+            (space, !is_image)
+        };
+        // What all nodes together hold too much finds no room by moving.
+        let (mut held, mut space) = (zero, zero);
+        for (slot, &node) in self.nodes.index.iter().enumerate() {
+            if let (volume, true) = room_of(node) {
+                held += self.nodes.transfer[slot][0];
+                space += volume;
+            }
+        }
+        let level = (held / space).max(T::one());
+        let mut squares = zero;
+        for (slot, &node) in self.nodes.index.iter().enumerate() {
+            let (volume, is_own) = room_of(node);
+            let excess = (self.nodes.transfer[slot][0] - level * volume).max(zero);
             room.excess[slot] = [excess, zero, zero, zero];
-            if !is_image {
+            if is_own {
                 squares += excess * excess;
             }
         }

@@ -31,6 +31,7 @@ pub struct DualDomain {
 
 impl DualDomain {
     #[inline(always)]
+    #[expect(clippy::needless_bitwise_bool, reason = "a short circuit becomes a branch per point")]
     fn row_between<T: Scalar>(at: AxisPosition<T>, bare: [bool; 2]) -> Row<T> {
         let (zero, one, half) = (T::zero(), T::one(), T::lit(0.5));
         let eta = one - at.xi;

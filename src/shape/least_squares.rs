@@ -10,8 +10,8 @@ use crate::Scalar;
 /// ```
 ///
 /// along every axis. With it, the gradient that [`Tpic`](crate::transfer::Tpic) carries is the affine matrix of
-/// [`Apic`](crate::transfer::Apic), and the force its adjoint. In the middle of a cell away from walls, and on its faces, it is the derivative of the quadratic B-spline. A point exactly on a
-/// node of the linear hat has D = 0: G is zero there.
+/// [`Apic`](crate::transfer::Apic), and the force its adjoint. In the middle of a cell away from walls, and on its faces,
+/// it is the derivative of the quadratic B-spline. Where D = 0, on a wall, it is that too.
 ///
 /// ```
 /// use transpoint::shape::{AxisPosition, LeastSquares, QuadraticBspline, ShapeFunction};
@@ -36,7 +36,11 @@ impl<T: Scalar, S: ShapeFunction<T>> ShapeFunction<T> for LeastSquares<S> {
             row.gradient[k] = row.weight[k] * offset;
             second += row.gradient[k] * offset;
         }
-        let inverse = if second > T::zero() { T::one() / second } else { T::zero() };
+        if !(second > T::zero()) {
+            // On a wall, where one function is all there is, or on a node of the hat: the limit is the slope itself.
+            return self.0.row(at);
+        }
+        let inverse = T::one() / second;
         for k in 0..S::WIDTH {
             row.gradient[k] *= inverse;
         }

@@ -172,7 +172,10 @@ where
     ) -> Built<D> {
         let method = self.scheme(shape, fields, transfer);
         let general = self.is_general()?;
-        // A constant condition on its own, so that nothing of it is compiled for one dimension.
+        #[expect(
+            clippy::collapsible_if,
+            reason = "a constant condition on its own: nothing of it is compiled for one dimension"
+        )]
         if InSpace::<D>::HOLDS {
             if let Some(law) = self.deviatoric().filter(|_| !general) {
                 return self.solve(method, law);
