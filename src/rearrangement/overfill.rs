@@ -82,10 +82,12 @@ where
     /// δ-correction, \[Baumgarten2023\]: one step down the slope of the sum of squared excess volumes,
     ///
     /// ```text
-    /// δx_p = −(Σ_I E_I² / Σ_q |g_q|²) g_p,   g_p = 2 V_p Σ_I E_I ∇N_I,   E_I = (Σ_p N V_p − ∫ N_I dV)₊
+    /// δx_p = −(Σ_I E_I² / Σ_q |g_q|²) g_p,   g_p = 2 V_p Σ_I E_I ∇N_I,   E_I = (Σ_p N V_p − L ∫ N_I dV)₊
+    /// L = max(1, Σ_I Σ_p N V_p / Σ_I ∫ N_I dV)
     /// ```
     ///
-    /// and the velocity changes by its slope, `v_p ← v_p + ∇v δx_p`. A coordinate that would leave the box
+    /// The level L is 1 in the source; what a full box holds too much as a whole finds no room by moving, and the
+    /// factor would have no bound. The velocity changes by its slope, `v_p ← v_p + ∇v δx_p`. A coordinate that would leave the box
     /// stays, and so does a point that would enter a body.
     pub(super) fn shift_overfill(&mut self, kept: &mut RearrangerOf<T, D, M, K>) {
         let Some(mut room) = kept.room.take() else { return };
