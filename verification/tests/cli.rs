@@ -45,9 +45,17 @@ fn list_as_text_and_as_json() {
         assert!(stdout(&text).contains(part), "{}", stdout(&text));
     }
     let json = verify(&["list", "--out", folder, "--format", "json", "--tier", "smoke"]);
-    let cases: serde_json::Value = serde_json::from_str(&stdout(&json)).expect("JSON");
+    let listing: serde_json::Value = serde_json::from_str(&stdout(&json)).expect("JSON");
+    let (cases, variants) = (&listing["cases"], &listing["variants"]);
     assert_eq!(cases[0]["case"], "sine-wave");
     assert_eq!(cases[0]["runs"][0]["on_record"], false);
+    assert_eq!(variants[0]["variant"], "tpm");
+    assert_eq!(variants[0]["kernel"], "linear");
+    let fixes = |name: &str| {
+        let mut all = variants.as_array().into_iter().flatten();
+        all.find(|variant| variant["variant"] == name).map(|variant| &variant["fixes"])
+    };
+    assert_eq!(fixes("fmpm2").expect("listed")["projection"]["order"], 2);
     assert!(is_empty(out.path()), "listing writes nothing");
 }
 
