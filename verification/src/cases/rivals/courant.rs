@@ -149,6 +149,6 @@ mod tests {
             is_stable(simulation.as_mut(), courant, parameters.steps)
         };
         assert!(at(0.2));
-        assert!(!at(1.5));
+        assert!(!at(2.5));
     }
 }
