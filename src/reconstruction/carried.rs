@@ -42,15 +42,4 @@ impl<T: Scalar, const D: usize> Reconstruction<T, D> for Carried {
         mean.add_scaled(T::one() / total, sum);
         Fit::Regular(mean)
     }
-
-    #[inline(always)]
-    fn fit_node<S: Simd, P: PointField<T, D>>(
-        &self,
-        _simd: S,
-        _cloud: &Cloud<'_, T, D>,
-        _node: [T; D],
-        _field: P,
-    ) -> Fit<P::Field> {
-        Fit::Empty
-    }
 }

@@ -45,17 +45,6 @@ where
     }
 
     #[inline(always)]
-    fn fit_node<S: Simd, P: PointField<T, D>>(
-        &self,
-        _simd: S,
-        _cloud: &Cloud<'_, T, D>,
-        _node: [T; D],
-        _field: P,
-    ) -> Fit<P::Field> {
-        Fit::Empty
-    }
-
-    #[inline(always)]
     fn cell_flow<S: Simd, P: PointField<T, D, Field = Flow<T, D>> + Copy>(
         &self,
         simd: S,

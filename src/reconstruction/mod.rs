@@ -53,14 +53,18 @@ pub trait Reconstruction<T: Scalar, const D: usize>: Copy + Send + Sync + 'stati
         field: P,
     ) -> Fit<P::Field>;
 
-    /// Fits a field at a node given by its coordinates in cells from the lower corner.
+    /// Fits a field at a node given by its coordinates in cells from the lower corner; methods that do not rebuild
+    /// nodes have none.
+    #[inline(always)]
     fn fit_node<S: Simd, P: PointField<T, D>>(
         &self,
-        simd: S,
-        cloud: &Cloud<'_, T, D>,
-        node: [T; D],
-        field: P,
-    ) -> Fit<P::Field>;
+        _simd: S,
+        _cloud: &Cloud<'_, T, D>,
+        _node: [T; D],
+        _field: P,
+    ) -> Fit<P::Field> {
+        Fit::Empty
+    }
 
     /// Momentum per volume (kg/(m² s)) and density (kg/m³, last entry) in an active cell: the value at its center, and
     /// for each axis the change over one cell. Where the method is [`Self::BY_CELLS`], nodes get
