@@ -6,6 +6,7 @@
 //! The modules stand in reading order. Data goes one way: command line → plan → runs → records →
 //! report and verdict. The report and the verdict are pure functions of the record files.
 
+pub mod benchmark;
 pub mod case;
 pub mod cases;
 pub mod cli;
@@ -17,6 +18,7 @@ pub mod machine;
 pub mod measure;
 pub mod number;
 pub mod plan;
+pub mod problems;
 pub mod progress;
 pub mod record;
 pub mod reference;

@@ -24,10 +24,11 @@ pub mod sine_wave;
 pub mod sod;
 pub mod spectral;
 
+use crate::benchmark;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 16] = [
+pub static ALL: [&dyn Case; 19] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -42,6 +43,9 @@ pub static ALL: [&dyn Case; 16] = [
     &elastic_bar::ElasticBarWave,
     &column::Column,
     &rivals::Rivals,
+    &benchmark::ALL[0],
+    &benchmark::ALL[1],
+    &benchmark::ALL[2],
     &operators::Operators,
     &spectral::Spectral,
 ];

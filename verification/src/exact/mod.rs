@@ -14,3 +14,4 @@ pub mod riemann;
 pub mod shear;
 pub mod sine_wave;
 pub mod smooth_field;
+pub mod taylor_green;

@@ -1,0 +1,123 @@
+//! From the records of a problem to verdicts, a figure and a table.
+
+use super::{Benchmark, VARIANTS};
+use crate::case::Case;
+use crate::cases::errors;
+use crate::convergence::{Order, Series, series};
+use crate::judge::Check;
+use crate::record::RunRecord;
+use crate::report::axis::Axis;
+use crate::report::plot::{Curve, Figure, Look, Panel};
+use crate::report::table::{Cell, Table};
+use crate::report::{Artifact, Content};
+
+/// The method whose orders are gated.
+const GATED: &str = "tpm-vp2";
+/// Most by which the order between the two finest grids may differ from that over all: beyond it the errors are not
+/// yet, or no longer, those of the asymptotic range.
+const ASYMPTOTIC: f64 = 0.5;
+
+/// Order of the first error within what theory lets expect, too high as bad as too low, and in the asymptotic
+/// range; for one method, where the answer is smooth.
+pub(super) fn checks(benchmark: &Benchmark, orders: &[Order]) -> Vec<Check> {
+    let Some((lower, upper)) = benchmark.expected_order() else { return Vec::new() };
+    let kind = benchmark.errors()[0];
+    let found = orders.iter().find(|order| {
+        order.variant == GATED && order.quantity == kind.quantity && order.norm == kind.norm
+    });
+    let Some(order) = found else { return Vec::new() };
+    let check = |name: &str, measured, lower, upper| Check {
+        case: order.case.clone(),
+        variant: order.variant.clone(),
+        layout: order.layout.clone(),
+        check: format!("{name}-{}", kind.quantity),
+        measured,
+        lower,
+        upper: Some(upper),
+        miss: None,
+    };
+    vec![
+        check("order", order.order, Some(lower), upper),
+        check("asymptotic-range", (order.order_last - order.order).abs(), None, ASYMPTOTIC),
+    ]
+}
+
+/// Errors against cell size, as figure and table.
+pub(super) fn artifacts(benchmark: &Benchmark, records: &[RunRecord]) -> Vec<Artifact> {
+    let all = series(benchmark.plain(records));
+    let name = benchmark.name();
+    let stem = name.replace('-', "_");
+    vec![
+        errors::artifact(
+            &format!("{stem}_errors"),
+            &format!("{name}: error against cell size"),
+            Content::Figure(figure(benchmark, &all)),
+        ),
+        errors::artifact(
+            &format!("{stem}_errors"),
+            &format!("{name}: errors and orders"),
+            Content::Table(table(benchmark, &all)),
+        ),
+    ]
+}
+
+/// The series of an error and a method.
+fn find<'a>(all: &'a [Series], variant: &str, quantity: &str) -> Option<&'a Series> {
+    all.iter().find(|series| series.variant == variant && series.quantity == quantity)
+}
+
+fn figure(benchmark: &Benchmark, all: &[Series]) -> Figure {
+    let panel = |kind: &super::ErrorKind| {
+        let curve = |variant: &transpoint::Variant| {
+            let series = find(all, variant.name(), kind.quantity)?;
+            Some(Curve {
+                label: series.variant.clone(),
+                style: errors::style(&series.variant),
+                points: series.points.clone(),
+                look: Look::Marked,
+            })
+        };
+        Panel {
+            title: format!("{} ({})", kind.quantity, kind.norm),
+            x: Axis::log("cell size h (m)"),
+            y: Axis::log("relative error"),
+            legend: "jittered points".to_owned(),
+            curves: VARIANTS.iter().filter_map(curve).collect(),
+            slopes: vec![1.0, 2.0],
+        }
+    };
+    Figure {
+        title: format!("{}: error against cell size", benchmark.name()),
+        panels: benchmark.errors().iter().map(panel).collect(),
+        columns: 2,
+    }
+}
+
+fn table(benchmark: &Benchmark, all: &[Series]) -> Table {
+    let first = benchmark.errors()[0];
+    let levels: Vec<usize> = (0..benchmark.levels()).collect();
+    let mut columns = vec!["variant".to_owned()];
+    columns.extend(levels.iter().map(|&level| {
+        format!("{} at {} cells", first.quantity, benchmark.resolution(level, 2).cells)
+    }));
+    columns.extend(benchmark.errors().iter().map(|kind| format!("order {}", kind.quantity)));
+    let row = |variant: &transpoint::Variant| {
+        let series = find(all, variant.name(), first.quantity)?;
+        let at = |&level: &usize| {
+            Cell::Value(series.points.get(level).map_or(f64::NAN, |point| point.1))
+        };
+        let order = |kind: &super::ErrorKind| {
+            let found = find(all, variant.name(), kind.quantity);
+            Cell::Order(found.map_or(f64::NAN, |series| series.order().order))
+        };
+        let mut cells = vec![Cell::Text(variant.name().to_owned())];
+        cells.extend(levels.iter().map(at));
+        cells.extend(benchmark.errors().iter().map(order));
+        Some(cells)
+    };
+    Table {
+        columns,
+        rows: VARIANTS.iter().filter_map(row).collect(),
+        note: format!("Relative errors, {}. {}", first.norm, benchmark.policy()),
+    }
+}
