@@ -7,9 +7,11 @@
 
 mod execute;
 mod results;
-mod touches;
 #[cfg(test)]
 mod tests;
+mod touches;
+
+pub(crate) use execute::{Build, OF_THE_RUN, set_up};
 
 use std::collections::BTreeMap;
 
@@ -21,14 +23,20 @@ use crate::cases::free_surface;
 use crate::cases::lattice::{JITTER, LAYOUTS};
 use crate::convergence::{self, Order};
 use crate::judge::Check;
-use crate::problems::{ErrorKind, Problem, Resolution, advected_wave, taylor_green};
+use crate::problems::{
+    ErrorKind, Problem, Resolution, advected_wave, poiseuille, pressure_pulse, riemann_tube,
+    taylor_green,
+};
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
 
 /// The problems, in the order of the page.
-pub static ALL: [Benchmark; 3] = [
+pub static ALL: [Benchmark; 6] = [
     Benchmark(AnyProblem::Line(&advected_wave::AdvectedWave)),
+    Benchmark(AnyProblem::Line(&riemann_tube::RiemannTube)),
+    Benchmark(AnyProblem::Plane(&pressure_pulse::PressurePulse)),
+    Benchmark(AnyProblem::Plane(&poiseuille::PoiseuilleStart)),
     Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: Some(100.0) })),
     Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: None })),
 ];
@@ -43,14 +51,14 @@ pub const VARIANTS: [Variant; 16] = [
     Variant::Bspline3,
     Variant::Apic,
     Variant::MpmVp,
-    Variant::TpmVp2,
-    Variant::TpmVp0,
+    Variant::TpmVpQuadratic,
+    Variant::TpmVpConstant,
     Variant::GimpVp,
     Variant::Fmpm4Periodic,
-    Variant::Sgmp,
+    Variant::Staggered,
     Variant::Bspline2Fbar,
     Variant::TpicFbar,
-    Variant::TpmVp2Fmpm,
+    Variant::TpmVpFmpm,
 ];
 
 /// Courant number of the runs `common`.
@@ -166,7 +174,10 @@ impl Benchmark {
             layout: LAYOUTS[1].to_owned(),
             labels: BTreeMap::from([
                 ("courant".to_owned(), courant.name().to_owned()),
-                ("points".to_owned(), vec![points_per_axis.to_string(); self.dimension()].join("x")),
+                (
+                    "points".to_owned(),
+                    vec![points_per_axis.to_string(); self.dimension()].join("x"),
+                ),
             ]),
             level,
             spacing: ask!(self.0, problem => problem.spacing(resolution.cells)),
@@ -223,7 +234,10 @@ impl Case for Benchmark {
         );
         if self.has_free_surface() {
             let text = free_surface::text("mpm-vp, gimp-vp, bspline2");
-            format!("{common} Free surface: {text} Here τ = {} h/c₀.", free_surface::INFLOW_RELAXATION)
+            format!(
+                "{common} Free surface: {text} Here τ = {} h/c₀.",
+                free_surface::INFLOW_RELAXATION
+            )
         } else {
             format!("{common} FLIP share 1, stress updated last.")
         }
@@ -240,7 +254,7 @@ impl Case for Benchmark {
             runs
         };
         match tier {
-            Tier::Smoke => plain(&[Variant::Mpm, Variant::Apic, Variant::TpmVp2], 2),
+            Tier::Smoke => plain(&[Variant::Mpm, Variant::Apic, Variant::TpmVpQuadratic], 2),
             Tier::Paper => plain(&VARIANTS, 3),
             Tier::Full => self.sweep(),
         }
@@ -256,7 +270,7 @@ impl Case for Benchmark {
 
     fn orders(&self, records: &[RunRecord]) -> Vec<Order> {
         let mut orders = convergence::orders(self.plain(records));
-        orders.retain(|order| order.norm != execute::OF_THE_RUN && order.levels > 2);
+        orders.retain(|order| order.norm != OF_THE_RUN && order.levels > 2);
         orders
     }
 

@@ -32,10 +32,14 @@ pub enum Command {
     Report(ReportArguments),
     /// Judge the records; exit code 1 if a check fails
     Check(CheckArguments),
+    /// Measure speed against error: runs, timings, figures and tables
+    WorkPrecision(WorkPrecisionArguments),
+    /// Say which method, spacing and Courant number reached an error at the least cost
+    Advise(AdviseArguments),
 }
 
 /// Which runs.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct SelectionArguments {
     /// Only this case (may be repeated)
     #[arg(long, value_name = "NAME")]
@@ -117,4 +121,74 @@ pub struct CheckArguments {
     /// Only failed checks
     #[arg(long)]
     pub quiet: bool,
+}
+
+/// Options of `work-precision`.
+#[derive(Debug, Args)]
+pub struct WorkPrecisionArguments {
+    /// Only this problem (may be repeated)
+    #[arg(long, value_name = "NAME")]
+    pub case: Vec<String>,
+    /// Only this variant (may be repeated)
+    #[arg(long, value_name = "NAME")]
+    pub variant: Vec<String>,
+    /// Only this level, 0 being the coarsest
+    #[arg(long, value_name = "N")]
+    pub level: Option<usize>,
+    /// Folder for records and reports
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub out: PathBuf,
+    /// Threads of the runs that give the errors; timings take one [default: all]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Repeat runs and timings that are on record
+    #[arg(long)]
+    pub force: bool,
+    /// No timings: errors and machine-free costs only
+    #[arg(long)]
+    pub untimed: bool,
+    /// No progress on the standard error
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+impl WorkPrecisionArguments {
+    /// The runs of the full study that are asked for.
+    pub fn selection(&self) -> SelectionArguments {
+        SelectionArguments {
+            case: self.case.clone(),
+            variant: self.variant.clone(),
+            tier: Tier::Full,
+            level: self.level,
+            out: self.out.clone(),
+        }
+    }
+}
+
+/// Options of `advise`.
+#[derive(Debug, Args)]
+pub struct AdviseArguments {
+    /// The problem
+    #[arg(value_name = "CASE")]
+    pub case: String,
+    /// Relative error to reach, as a number or in per cent, e.g. 0.01 or 1%
+    #[arg(long, value_name = "ERROR", value_parser = parse_error)]
+    pub error: f64,
+    /// Folder of the records
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub out: PathBuf,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// A relative error above 0 and at most 1, with or without a per cent sign.
+fn parse_error(text: &str) -> Result<f64, String> {
+    let (number, scale) = match text.trim().strip_suffix('%') {
+        Some(number) => (number, 0.01),
+        None => (text.trim(), 1.0),
+    };
+    let allowed = "allowed: above 0 and at most 1, or above 0% and at most 100%";
+    let value = number.trim().parse::<f64>().map_err(|_| allowed.to_owned())? * scale;
+    if value > 0.0 && value <= 1.0 { Ok(value) } else { Err(allowed.to_owned()) }
 }

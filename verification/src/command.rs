@@ -1,5 +1,7 @@
 //! The commands: each takes a plan and returns a verdict.
 
+mod study;
+
 use std::collections::BTreeMap;
 use std::io::Write;
 
@@ -30,6 +32,8 @@ pub fn execute(arguments: Arguments) -> Result<Verdict> {
         Some(Command::Run(run_arguments)) => run(&run_arguments),
         Some(Command::Report(report_arguments)) => report(&report_arguments),
         Some(Command::Check(check_arguments)) => check(&check_arguments),
+        Some(Command::WorkPrecision(study_arguments)) => study::work_precision(&study_arguments),
+        Some(Command::Advise(advise_arguments)) => study::advise(&advise_arguments),
     }
 }
 

@@ -24,3 +24,4 @@ pub mod record;
 pub mod reference;
 pub mod report;
 pub mod run;
+pub mod work_precision;

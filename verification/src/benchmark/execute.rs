@@ -96,8 +96,7 @@ where
         let stepped = simulation.step(dt);
         seconds += start.elapsed().as_secs_f64();
         if let Err(error) = stepped {
-            outcome =
-                Outcome::BlownUp { step, time: simulation.time(), reason: error.to_string() };
+            outcome = Outcome::BlownUp { step, time: simulation.time(), reason: error.to_string() };
             break;
         }
         gauge.watch(simulation.as_ref());
@@ -110,7 +109,11 @@ where
             .errors()
             .iter()
             .zip(gauge.errors(&end))
-            .map(|(kind, value)| Row { value, scale: 1.0, ..Row::missing(kind.quantity, kind.norm) })
+            .map(|(kind, value)| Row {
+                value,
+                scale: 1.0,
+                ..Row::missing(kind.quantity, kind.norm)
+            })
             .collect()
     } else {
         missing()

@@ -32,7 +32,7 @@ fn levels_are_four_and_get_finer() {
 #[test]
 fn every_problem_runs_at_its_coarsest() {
     for benchmark in &ALL {
-        let spec = benchmark.spec(Variant::TpmVp2, 0, 2, Courant::Common);
+        let spec = benchmark.spec(Variant::TpmVpQuadratic, 0, 2, Courant::Common);
         let findings = benchmark.execute(&spec, &Progress::silent());
         assert_eq!(findings.outcome, Outcome::Completed, "{}", benchmark.name());
         for (kind, row) in benchmark.errors().iter().zip(&findings.rows) {

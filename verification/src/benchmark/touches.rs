@@ -48,7 +48,8 @@ pub(super) fn touches(
 mod tests {
     use super::*;
 
-    const RESOLUTION: Resolution = Resolution { cells: 4, points_per_axis: 2, jitter: 0.0, seed: 0 };
+    const RESOLUTION: Resolution =
+        Resolution { cells: 4, points_per_axis: 2, jitter: 0.0, seed: 0 };
 
     fn counters(entries: &[(&str, u64)]) -> BTreeMap<String, u64> {
         entries.iter().map(|&(name, count)| (name.to_owned(), count)).collect()
@@ -69,7 +70,7 @@ mod tests {
             ("n_point_updates", 64),
             ("n_reconstructions", 41),
         ]);
-        let count = touches(Variant::TpmVp2, &Settings::default(), &counters, &RESOLUTION, 2);
+        let count = touches(Variant::TpmVpQuadratic, &Settings::default(), &counters, &RESOLUTION, 2);
         assert_eq!(count, 80.0 * 4.0 + 41.0 * 16.0);
     }
 }

@@ -28,7 +28,7 @@ use crate::benchmark;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 19] = [
+pub static ALL: [&dyn Case; 22] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -46,6 +46,9 @@ pub static ALL: [&dyn Case; 19] = [
     &benchmark::ALL[0],
     &benchmark::ALL[1],
     &benchmark::ALL[2],
+    &benchmark::ALL[3],
+    &benchmark::ALL[4],
+    &benchmark::ALL[5],
     &operators::Operators,
     &spectral::Spectral,
 ];

@@ -4,6 +4,9 @@
 //! [`crate::benchmark`] runs methods on it, the one in [`crate::work_precision`] adds what they cost.
 
 pub mod advected_wave;
+pub mod poiseuille;
+pub mod pressure_pulse;
+pub mod riemann_tube;
 pub mod taylor_green;
 
 use serde::{Deserialize, Serialize};

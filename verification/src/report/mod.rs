@@ -157,7 +157,11 @@ fn of_case(records: &[RunRecord], name: &str) -> Vec<RunRecord> {
     records.iter().filter(|record| record.spec.case == name).cloned().collect()
 }
 
-fn write_artifact(folder: &Path, artifact: &Artifact) -> Result<()> {
+/// Writes one artifact below a folder.
+///
+/// # Errors
+/// When it cannot be drawn or written.
+pub fn write_artifact(folder: &Path, artifact: &Artifact) -> Result<()> {
     match &artifact.content {
         Content::Figure(figure) => write_figure(folder, &artifact.stem, &plot::svg(figure)?),
         Content::Maps(figure) => write_figure(folder, &artifact.stem, &map::svg(figure)?),

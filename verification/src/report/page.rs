@@ -62,7 +62,8 @@ fn reasons(checks: &[Check]) -> String {
     format!("\nWhat is known of the goals that are missed:\n\n{}", lines.concat())
 }
 
-fn embed(artifact: &Artifact) -> String {
+/// An artifact as it stands on a page in the folder that holds it.
+pub fn embed(artifact: &Artifact) -> String {
     let stem = &artifact.stem;
     match &artifact.content {
         Content::Figure(_) | Content::Maps(_) => {

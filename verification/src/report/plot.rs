@@ -236,8 +236,10 @@ fn draw_legend(canvas: &Canvas<'_>, panel: &Panel, frame: &Frame) -> Result<()> 
     let left = frame.right + 18;
     let mut y = frame.top + 12;
     style::text(canvas, &panel.legend, (left, y), SMALL, Anchor::Start)?;
+    // Many curves stand closer.
+    let room = (frame.bottom - y) / i32::try_from(panel.curves.len().max(1)).unwrap_or(i32::MAX);
     for curve in &panel.curves {
-        y += 36;
+        y += room.clamp(18, 36);
         if curve.look != Look::Dots {
             style::line(canvas, vec![(left, y), (left + 44, y)], style::stroke(curve.style))?;
         }

@@ -58,7 +58,8 @@ pub(super) fn spec(variant: Variant) -> RunSpec {
 /// The largest stable Courant number of a method on these points, found once per process; 0 where it cannot be
 /// built.
 pub(super) fn largest_stable(variant: Variant) -> f64 {
-    static FOUND: [OnceLock<f64>; Variant::ALL.len()] = [const { OnceLock::new() }; Variant::ALL.len()];
+    static FOUND: [OnceLock<f64>; Variant::ALL.len()] =
+        [const { OnceLock::new() }; Variant::ALL.len()];
     let parameters =
         Parameters { variant, jitter: JITTER, steps: STEPS, settings: Settings::default() };
     let place = Variant::ALL.iter().position(|&other| other == variant).unwrap_or(0);

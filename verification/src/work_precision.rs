@@ -1,0 +1,107 @@
+//! Speed against error: what each method costs on each problem, and what it gets for it.
+//!
+//! Two phases. The runs of [`Benchmark::sweep`] give the errors and the counters, which any machine reproduces. The
+//! timing runs of [`timing`] give seconds per step, of this machine: all methods in turns, one thread, warm-up left
+//! out, the least of several. A run that blew up is a gap with its reason.
+
+mod advice;
+mod artifacts;
+mod front;
+mod measured;
+#[cfg(test)]
+mod tests;
+pub mod timing;
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+
+pub use advice::{Advice, advise};
+pub use front::{cost_at_error, error_at_cost, front};
+pub use measured::{Cost, Measured};
+
+use crate::benchmark::{self, Benchmark};
+use crate::case::Case;
+use crate::cli::SelectionArguments;
+use crate::plan::{Found, Plan};
+use crate::report;
+
+/// The problems of the study as cases.
+pub fn cases() -> Vec<&'static dyn Case> {
+    benchmark::ALL.iter().map(|benchmark| benchmark as &dyn Case).collect()
+}
+
+/// The plan of the runs that give the errors.
+///
+/// # Errors
+/// When a name does not exist.
+pub fn error_plan(selection: &SelectionArguments) -> Result<Plan> {
+    Plan::new(selection, &cases())
+}
+
+/// The plan of the runs that give the seconds; methods are timed together, so that all are.
+///
+/// # Errors
+/// When a name does not exist.
+pub fn timing_plan(selection: &SelectionArguments) -> Result<Plan> {
+    let registry: Vec<&'static dyn Case> =
+        timing::all().iter().map(|timing| timing as &dyn Case).collect();
+    let selection = SelectionArguments { variant: Vec::new(), ..selection.clone() };
+    Plan::new(&selection, &registry)
+}
+
+/// What is on record, problem by problem, seconds where they are.
+pub struct Study {
+    /// Each problem with its measured points, in the order of the list.
+    pub problems: Vec<(&'static Benchmark, Vec<Measured>)>,
+    /// What is missing, as a sentence.
+    pub shortfall: Option<String>,
+}
+
+impl Study {
+    /// Reads the records of both phases below the output folder.
+    ///
+    /// # Errors
+    /// When there is no record of the first phase, or a file cannot be read.
+    pub fn read(selection: &SelectionArguments) -> Result<Self> {
+        let plan = error_plan(selection)?;
+        let found = plan.find_records().context("no measured errors")?;
+        let timings = timing_plan(selection)?.find_records().unwrap_or_default();
+        let of_case = |found: &Found, name: &str| {
+            found.records.iter().filter(|record| record.spec.case == name).cloned().collect()
+        };
+        let mut problems = Vec::new();
+        for benchmark in &benchmark::ALL {
+            let records: Vec<_> = of_case(&found, benchmark.name());
+            if !records.is_empty() {
+                let seconds: Vec<_> = of_case(&timings, benchmark.name());
+                problems.push((benchmark, measured::collect(benchmark, &records, &seconds)));
+            }
+        }
+        Ok(Self { problems, shortfall: found.shortfall(&plan.out) })
+    }
+
+    /// Writes figures, tables and pages: what any machine reproduces below `accuracy/work-precision/`, seconds below
+    /// `timing/work-precision/`.
+    ///
+    /// # Errors
+    /// When a file cannot be drawn or written.
+    pub fn write(&self, out: &Path) -> Result<()> {
+        for cost in [Cost::Touches, Cost::Seconds] {
+            let known = |(_, points): &(&Benchmark, Vec<Measured>)| {
+                points.iter().any(|point| point.cost(cost).is_finite())
+            };
+            if !self.problems.iter().any(known) {
+                continue;
+            }
+            let area = if cost == Cost::Touches { "accuracy" } else { "timing" };
+            let folder = out.join(area).join("work-precision");
+            let (artifacts, page) = artifacts::all(&self.problems, cost);
+            for artifact in &artifacts {
+                report::write_artifact(&folder, artifact)?;
+            }
+            crate::record::write_whole(&folder.join("README.md"), page.as_bytes())?;
+        }
+        Ok(())
+    }
+}

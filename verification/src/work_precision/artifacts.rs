@@ -1,0 +1,314 @@
+//! Figures, tables and the page of the study, on one scale of cost.
+
+use super::front::{cost_at_error, error_at_cost, front};
+use super::measured::{Cost, Measured};
+use crate::benchmark::{Benchmark, COURANT, OWN_SHARE, VARIANTS};
+use crate::case::Case;
+use crate::cases::errors;
+use crate::number;
+use crate::report::axis::Axis;
+use crate::report::plot::{Curve, Figure, Look, Panel};
+use crate::report::table::{Cell, Table};
+use crate::report::{Area, Artifact, Content, page};
+
+/// Errors whose cost is tabled.
+const TARGETS: [(f64, &str); 3] = [(0.1, "10pct"), (0.03, "3pct"), (0.01, "1pct")];
+/// Colour of the guides among the styles: grey.
+const GUIDE: usize = 7;
+
+type Problems = [(&'static Benchmark, Vec<Measured>)];
+
+/// Every figure and table on that scale, and the page that shows them.
+pub(super) fn all(problems: &Problems, cost: Cost) -> (Vec<Artifact>, String) {
+    let mut artifacts = vec![ranking(problems, cost)];
+    artifacts.extend(TARGETS.iter().map(|&(error, name)| reached(problems, cost, error, name)));
+    artifacts.push(within_budget(problems, cost));
+    for (benchmark, points) in problems {
+        artifacts.push(figure(benchmark, points, cost));
+        artifacts.push(front_table(benchmark, points, cost));
+    }
+    if cost == Cost::Touches {
+        artifacts.push(gaps(problems));
+        artifacts.push(every_point(problems));
+    }
+    let mut text = format!(
+        "# Speed against error\n\nWritten by `verify work-precision`; do not edit. Errors are relative, those that each \
+         problem names first; costs are {}. Each method runs on every problem at four cell sizes with 2 and with 3 \
+         points per axis at {COURANT} of the common stable time step, and with 2 points at {OWN_SHARE} of the largest \
+         Courant number at which the method kept sound on jittered points bounded. All points are jittered.\n",
+        cost.label()
+    );
+    for artifact in &artifacts {
+        text += &format!("\n## {}\n\n{}", artifact.title, page::embed(artifact));
+    }
+    (artifacts, text)
+}
+
+fn artifact(cost: Cost, stem: &str, title: String, content: Content) -> Artifact {
+    let area = if cost == Cost::Touches { Area::Accuracy } else { Area::Timing };
+    Artifact { stem: format!("{stem}_{}", cost.name()), title, area, content }
+}
+
+/// (cost, error) of the points of one method, or of all.
+fn pairs(points: &[Measured], variant: Option<&str>, cost: Cost) -> Vec<(f64, f64)> {
+    points
+        .iter()
+        .filter(|point| variant.is_none_or(|variant| point.variant == variant))
+        .map(|point| (point.cost(cost), point.error))
+        .collect()
+}
+
+fn figure(benchmark: &Benchmark, points: &[Measured], cost: Cost) -> Artifact {
+    let along = |variant: Option<&str>| {
+        let all = pairs(points, variant, cost);
+        front(&all).into_iter().map(|i| all[i]).collect::<Vec<_>>()
+    };
+    let mut curves: Vec<Curve> = VARIANTS
+        .iter()
+        .map(|variant| Curve {
+            label: variant.name().to_owned(),
+            style: errors::style(variant.name()),
+            points: along(Some(variant.name())),
+            look: Look::Marked,
+        })
+        .filter(|curve| !curve.points.is_empty())
+        .collect();
+    let best = along(None);
+    curves.extend(guides(&best, benchmark.dimension()));
+    curves.push(Curve {
+        label: "front of all".to_owned(),
+        style: GUIDE,
+        points: best,
+        look: Look::Line,
+    });
+    let kind = benchmark.errors()[0];
+    let panel = Panel {
+        title: format!("{}: error of {} ({})", benchmark.name(), kind.quantity, kind.norm),
+        x: Axis::log(format!("cost ({})", cost.label())),
+        y: Axis::log("relative error"),
+        legend: "own front of each".to_owned(),
+        curves,
+        slopes: Vec::new(),
+    };
+    let title = format!("{}: error against cost", benchmark.name());
+    let figure = Figure { title: title.clone(), panels: vec![panel], columns: 1 };
+    let stem = format!("wp_{}", benchmark.name().replace('-', "_"));
+    artifact(cost, &stem, title, Content::Figure(figure))
+}
+
+/// Where an error falls as h and h², if the cost grows as 1/h^(D+1): straight lines from the cheapest point.
+fn guides(best: &[(f64, f64)], dimension: usize) -> Vec<Curve> {
+    let (Some(&(start, error)), Some(&(end, _))) = (best.first(), best.last()) else {
+        return Vec::new();
+    };
+    let guide = |order: f64| {
+        let last = error * (end / start).powf(-order / (dimension as f64 + 1.0));
+        Curve {
+            label: format!("order {order} in h"),
+            style: GUIDE,
+            points: vec![(start, error), (end, last)],
+            look: Look::Line,
+        }
+    };
+    vec![guide(1.0), guide(2.0)]
+}
+
+/// The points of the front of all methods.
+fn front_table(benchmark: &Benchmark, points: &[Measured], cost: Cost) -> Artifact {
+    let all = pairs(points, None, cost);
+    let row = |i: usize| {
+        let point = &points[i];
+        vec![
+            Cell::Text(point.variant.clone()),
+            Cell::Count(benchmark.resolution(point.level, 2).cells as u64),
+            Cell::Text(point.points.clone()),
+            Cell::Decimal(point.courant_number),
+            Cell::Value(all[i].0),
+            Cell::Value(point.error),
+        ]
+    };
+    let columns = ["variant", "cells", "points per cell", "Courant number", cost.label(), "error"];
+    let table = Table {
+        columns: columns.map(str::to_owned).to_vec(),
+        rows: front(&all).into_iter().map(row).collect(),
+        note: benchmark.policy(),
+    };
+    let stem = format!("wp_front_{}", benchmark.name().replace('-', "_"));
+    artifact(cost, &stem, format!("{}: the front", benchmark.name()), Content::Table(table))
+}
+
+/// Who lies on the fronts, and how often.
+fn ranking(problems: &Problems, cost: Cost) -> Artifact {
+    let on_front: Vec<Vec<&str>> = problems
+        .iter()
+        .map(|(_, points)| {
+            let all = pairs(points, None, cost);
+            front(&all).into_iter().map(|i| points[i].variant.as_str()).collect()
+        })
+        .collect();
+    let mut rows: Vec<(usize, Vec<Cell>)> = VARIANTS
+        .iter()
+        .map(|variant| {
+            let named: Vec<&str> = problems
+                .iter()
+                .zip(&on_front)
+                .filter(|(_, names)| names.contains(&variant.name()))
+                .map(|((benchmark, _), _)| benchmark.name())
+                .collect();
+            let completed = problems
+                .iter()
+                .flat_map(|(_, points)| points)
+                .filter(|p| p.variant == variant.name());
+            let (runs, failed) = completed.fold((0, 0), |(runs, failed), point| {
+                (runs + 1, failed + u64::from(!point.reason.is_empty()))
+            });
+            let cells = vec![
+                Cell::Text(variant.name().to_owned()),
+                Cell::Count(named.len() as u64),
+                Cell::Text(named.join(", ")),
+                Cell::Count(runs),
+                Cell::Count(failed),
+            ];
+            (named.len(), cells)
+        })
+        .collect();
+    // The sort is stable: ties stay in the order of legends.
+    rows.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let columns =
+        ["variant", "problems on whose front it lies", "which", "runs", "did not complete"];
+    let table = Table {
+        columns: columns.map(str::to_owned).to_vec(),
+        rows: rows.into_iter().map(|(_, cells)| cells).collect(),
+        note: format!(
+            "Of {} problems. A method lies on the front where no cheaper run of any method has a smaller \
+                       error than one of its own.",
+            problems.len()
+        ),
+    };
+    artifact(cost, "wp_ranking", "Who lies on the front".to_owned(), Content::Table(table))
+}
+
+/// One row per method, one column per problem.
+fn matrix(problems: &Problems, cell: impl Fn(&[Measured], &str) -> Cell, note: String) -> Table {
+    let mut columns = vec!["variant".to_owned()];
+    columns.extend(problems.iter().map(|(benchmark, _)| benchmark.name().to_owned()));
+    let row = |name: &str| {
+        let mut cells = vec![Cell::Text(name.to_owned())];
+        cells.extend(problems.iter().map(|(_, points)| cell(points, name)));
+        cells
+    };
+    Table { columns, rows: VARIANTS.iter().map(|variant| row(variant.name())).collect(), note }
+}
+
+fn reached(problems: &Problems, cost: Cost, error: f64, name: &str) -> Artifact {
+    let note = format!(
+        "Least {} at which a method reaches a relative error of {error}, between its own runs by straight lines in \
+         logarithms; the cheapest run where that is good enough. –: not reached at the finest resolution.",
+        cost.label()
+    );
+    let cell = |points: &[Measured], variant: &str| {
+        let pairs = pairs(points, Some(variant), cost);
+        Cell::Value(cost_at_error(&pairs, error).unwrap_or(f64::NAN))
+    };
+    let title = format!("Cost of an error of {} %", 100.0 * error);
+    artifact(
+        cost,
+        &format!("wp_cost_of_{name}"),
+        title,
+        Content::Table(matrix(problems, cell, note)),
+    )
+}
+
+fn within_budget(problems: &Problems, cost: Cost) -> Artifact {
+    let (budget, words) = match cost {
+        Cost::Touches => (1e8, "10⁸ touches"),
+        Cost::Seconds => (1.0, "one second"),
+    };
+    let cell = |points: &[Measured], variant: &str| {
+        let pairs = pairs(points, Some(variant), cost);
+        Cell::Value(error_at_cost(&pairs, budget).unwrap_or(f64::NAN))
+    };
+    let note = format!(
+        "Relative error that a method reaches with {words}; the least measured where its finest run is cheaper. –: its \
+         coarsest run is dearer, or none completed."
+    );
+    let title = format!("Error within {words}");
+    artifact(cost, "wp_error_in_budget", title, Content::Table(matrix(problems, cell, note)))
+}
+
+/// Runs that did not complete.
+fn gaps(problems: &Problems) -> Artifact {
+    let mut rows = Vec::new();
+    for (benchmark, points) in problems {
+        for point in points.iter().filter(|point| !point.reason.is_empty()) {
+            rows.push(vec![
+                Cell::Text(benchmark.name().to_owned()),
+                Cell::Text(point.variant.clone()),
+                Cell::Count(benchmark.resolution(point.level, 2).cells as u64),
+                Cell::Text(point.points.clone()),
+                Cell::Decimal(point.courant_number),
+                Cell::Text(point.reason.clone()),
+            ]);
+        }
+    }
+    let columns = ["problem", "variant", "cells", "points per cell", "Courant number", "reason"];
+    let table = Table { columns: columns.map(str::to_owned).to_vec(), rows, note: String::new() };
+    let title = "Runs that did not complete".to_owned();
+    Artifact {
+        stem: "wp_gaps".to_owned(),
+        title,
+        area: Area::Accuracy,
+        content: Content::Table(table),
+    }
+}
+
+/// All points, to compute with; without seconds, which are of this machine.
+fn every_point(problems: &Problems) -> Artifact {
+    let columns = [
+        "case",
+        "variant",
+        "points",
+        "courant",
+        "level",
+        "cells",
+        "spacing",
+        "courant_number",
+        "steps",
+        "n_points",
+        "bytes_per_point",
+        "touches",
+        "error",
+    ];
+    let mut rows = Vec::new();
+    for (benchmark, points) in problems {
+        for point in points {
+            let numbers = [
+                point.courant_number,
+                point.steps,
+                point.n_points,
+                point.bytes,
+                point.touches,
+                point.error,
+            ];
+            let mut row = vec![
+                Cell::Text(benchmark.name().to_owned()),
+                Cell::Text(point.variant.clone()),
+                Cell::Text(point.points.clone()),
+                Cell::Text(point.courant.clone()),
+                Cell::Count(point.level as u64),
+                Cell::Count(benchmark.resolution(point.level, 2).cells as u64),
+                Cell::Text(number::significant(point.spacing)),
+            ];
+            row.extend(numbers.map(Cell::Value));
+            rows.push(row);
+        }
+    }
+    let table = Table { columns: columns.map(str::to_owned).to_vec(), rows, note: String::new() };
+    let title = "Every run".to_owned();
+    Artifact {
+        stem: "wp_points".to_owned(),
+        title,
+        area: Area::Accuracy,
+        content: Content::Profiles(table),
+    }
+}
