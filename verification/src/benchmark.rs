@@ -3,9 +3,10 @@
 //! One policy for all: points jittered by ±0.3 of their spacing; Δt a fixed share of the stable one at the start,
 //! rounded down so that a whole number of steps ends at the end. Runs are told apart by the label `points` (per
 //! cell) and by the label `courant`: `common` is the same number for all methods, `own` is nine tenths of the
-//! largest number at which the method kept sound bounded, see [`courant`](crate::cases::rivals).
+//! largest with which the method ends the coarsest run with at most twice its error at the common one.
 
 mod execute;
+mod own_courant;
 mod results;
 #[cfg(test)]
 mod tests;
@@ -121,6 +122,11 @@ pub struct Parameters {
     pub share: f64,
 }
 
+/// Jittered points at a number of cells.
+fn resolution_of(cells: usize, points_per_axis: usize) -> Resolution {
+    Resolution { cells, points_per_axis, jitter: JITTER, seed: SEED + cells as u64 }
+}
+
 /// The case of a problem.
 pub struct Benchmark(pub AnyProblem);
 
@@ -150,8 +156,7 @@ impl Benchmark {
 
     /// The resolution of a level.
     pub fn resolution(&self, level: usize, points_per_axis: usize) -> Resolution {
-        let cells = ask!(self.0, problem => problem.levels()[level]);
-        Resolution { cells, points_per_axis, jitter: JITTER, seed: SEED + cells as u64 }
+        resolution_of(ask!(self.0, problem => problem.levels()[level]), points_per_axis)
     }
 
     /// One run.

@@ -70,7 +70,8 @@ mod tests {
             ("n_point_updates", 64),
             ("n_reconstructions", 41),
         ]);
-        let count = touches(Variant::TpmVpQuadratic, &Settings::default(), &counters, &RESOLUTION, 2);
+        let count =
+            touches(Variant::TpmVpQuadratic, &Settings::default(), &counters, &RESOLUTION, 2);
         assert_eq!(count, 80.0 * 4.0 + 41.0 * 16.0);
     }
 }

@@ -79,12 +79,6 @@ pub fn fixed(variant: Variant) -> Vec<(String, serde_json::Value)> {
 #[derive(Clone, Copy, Debug)]
 pub struct Rivals;
 
-/// The largest Courant number at which sound on jittered points stayed bounded for a method, to 0.1; found once per
-/// process.
-pub fn largest_stable_courant(variant: Variant) -> f64 {
-    courant::largest_stable(variant)
-}
-
 impl Case for Rivals {
     fn name(&self) -> &'static str {
         "rivals"

@@ -35,7 +35,8 @@ pub(super) fn all(problems: &Problems, cost: Cost) -> (Vec<Artifact>, String) {
         "# Speed against error\n\nWritten by `verify work-precision`; do not edit. Errors are relative, those that each \
          problem names first; costs are {}. Each method runs on every problem at four cell sizes with 2 and with 3 \
          points per axis at {COURANT} of the common stable time step, and with 2 points at {OWN_SHARE} of the largest \
-         Courant number at which the method kept sound on jittered points bounded. All points are jittered.\n",
+         Courant number with which the method ends the coarsest run with at most twice its error at the common one. All \
+         points are jittered.\n",
         cost.label()
     );
     for artifact in &artifacts {

@@ -1,14 +1,13 @@
 //! The largest Courant number at which sound in a periodic box stays bounded, by trial.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
 use std::time::Instant;
 
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 use serde::{Deserialize, Serialize};
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
-use transpoint::{InvalidInput, Scene, Settings, Simulation, Variant};
+use transpoint::{Scene, Settings, Simulation, Variant};
 
 use crate::case::{Findings, Outcome, Row, RunSpec};
 use crate::cases::lattice::{self, JITTER, LAYOUTS};
@@ -55,17 +54,6 @@ pub(super) fn spec(variant: Variant) -> RunSpec {
     }
 }
 
-/// The largest stable Courant number of a method on these points, found once per process; 0 where it cannot be
-/// built.
-pub(super) fn largest_stable(variant: Variant) -> f64 {
-    static FOUND: [OnceLock<f64>; Variant::ALL.len()] =
-        [const { OnceLock::new() }; Variant::ALL.len()];
-    let parameters =
-        Parameters { variant, jitter: JITTER, steps: STEPS, settings: Settings::default() };
-    let place = Variant::ALL.iter().position(|&other| other == variant).unwrap_or(0);
-    *FOUND[place].get_or_init(|| bisect(&parameters, |_| ()).unwrap_or(0.0))
-}
-
 /// Bisects the Courant numbers, stable ones being taken to lie below all others; row `courant`, `largest-stable`.
 pub(super) fn execute(spec: &RunSpec, progress: &Progress) -> Findings {
     let missing = vec![Row::missing("courant", "largest-stable")];
@@ -73,11 +61,24 @@ pub(super) fn execute(spec: &RunSpec, progress: &Progress) -> Findings {
         Ok(parameters) => parameters,
         Err(error) => return Findings::not_built(&error, missing),
     };
+    let scene = scene(&parameters);
     let start = Instant::now();
-    let largest = match bisect(&parameters, |tried| progress.advance(tried, END)) {
-        Ok(largest) => largest,
-        Err(error) => return Findings::not_built(&error, missing),
-    };
+    let (mut stable, mut unstable) = (0, END);
+    while stable + 1 < unstable {
+        let trial = u64::midpoint(stable, unstable);
+        let courant = INCREMENT * trial as f64;
+        let mut simulation = match parameters.variant.build_2d(&scene, &parameters.settings) {
+            Ok(simulation) => simulation,
+            Err(error) => return Findings::not_built(&error, missing),
+        };
+        if is_stable(simulation.as_mut(), courant, parameters.steps) {
+            stable = trial;
+        } else {
+            unstable = trial;
+        }
+        progress.advance(END - (unstable - stable), END);
+    }
+    let largest = INCREMENT * stable as f64;
     let row = Row { value: largest, scale: f64::NAN, ..Row::missing("courant", "largest-stable") };
     Findings {
         outcome: Outcome::Completed,
@@ -87,23 +88,6 @@ pub(super) fn execute(spec: &RunSpec, progress: &Progress) -> Findings {
         counters: BTreeMap::new(),
         seconds: start.elapsed().as_secs_f64(),
     }
-}
-
-fn bisect(parameters: &Parameters, mut tell: impl FnMut(u64)) -> Result<f64, InvalidInput> {
-    let scene = scene(parameters);
-    let (mut stable, mut unstable) = (0, END);
-    while stable + 1 < unstable {
-        let trial = u64::midpoint(stable, unstable);
-        let courant = INCREMENT * trial as f64;
-        let mut simulation = parameters.variant.build_2d(&scene, &parameters.settings)?;
-        if is_stable(simulation.as_mut(), courant, parameters.steps) {
-            stable = trial;
-        } else {
-            unstable = trial;
-        }
-        tell(END - (unstable - stable));
-    }
-    Ok(INCREMENT * stable as f64)
 }
 
 fn scene(parameters: &Parameters) -> Scene<2> {
