@@ -12,7 +12,7 @@ mod results;
 mod tests;
 mod touches;
 
-pub(crate) use execute::{Build, OF_THE_RUN, set_up};
+pub(crate) use execute::{Build, OF_THE_RUN, Runner, error_rows};
 
 use std::collections::BTreeMap;
 
@@ -123,7 +123,7 @@ pub struct Parameters {
 }
 
 /// Jittered points at a number of cells.
-fn resolution_of(cells: usize, points_per_axis: usize) -> Resolution {
+pub(crate) fn resolution_of(cells: usize, points_per_axis: usize) -> Resolution {
     Resolution { cells, points_per_axis, jitter: JITTER, seed: SEED + cells as u64 }
 }
 

@@ -13,6 +13,7 @@ pub mod cli;
 pub mod command;
 pub mod convergence;
 pub mod exact;
+pub mod ingredients;
 pub mod judge;
 pub mod machine;
 pub mod measure;

@@ -23,12 +23,15 @@ pub use measured::{Cost, Measured};
 use crate::benchmark::{self, Benchmark};
 use crate::case::Case;
 use crate::cli::SelectionArguments;
+use crate::ingredients::{self, IngredientTimings, Ingredients};
 use crate::plan::{Found, Plan};
+use crate::record::RunRecord;
 use crate::report;
 
-/// The problems of the study as cases.
+/// The problems of the study as cases, and what is asked of ingredients.
 pub fn cases() -> Vec<&'static dyn Case> {
-    benchmark::ALL.iter().map(|benchmark| benchmark as &dyn Case).collect()
+    let problems = benchmark::ALL.iter().map(|benchmark| benchmark as &dyn Case);
+    problems.chain([&Ingredients as &dyn Case]).collect()
 }
 
 /// The plan of the runs that give the errors.
@@ -44,8 +47,9 @@ pub fn error_plan(selection: &SelectionArguments) -> Result<Plan> {
 /// # Errors
 /// When a name does not exist.
 pub fn timing_plan(selection: &SelectionArguments) -> Result<Plan> {
+    let problems = timing::all().iter().map(|timing| timing as &dyn Case);
     let registry: Vec<&'static dyn Case> =
-        timing::all().iter().map(|timing| timing as &dyn Case).collect();
+        problems.chain([&IngredientTimings as &dyn Case]).collect();
     let selection = SelectionArguments { variant: Vec::new(), ..selection.clone() };
     Plan::new(&selection, &registry)
 }
@@ -54,6 +58,8 @@ pub fn timing_plan(selection: &SelectionArguments) -> Result<Plan> {
 pub struct Study {
     /// Each problem with its measured points, in the order of the list.
     pub problems: Vec<(&'static Benchmark, Vec<Measured>)>,
+    /// Records of the case `ingredients` and of its timings.
+    pub ingredients: [Vec<RunRecord>; 2],
     /// What is missing, as a sentence.
     pub shortfall: Option<String>,
 }
@@ -67,18 +73,20 @@ impl Study {
         let plan = error_plan(selection)?;
         let found = plan.find_records().context("no measured errors")?;
         let timings = timing_plan(selection)?.find_records().unwrap_or_default();
-        let of_case = |found: &Found, name: &str| {
+        let of_case = |found: &Found, name: &str| -> Vec<RunRecord> {
             found.records.iter().filter(|record| record.spec.case == name).cloned().collect()
         };
         let mut problems = Vec::new();
         for benchmark in &benchmark::ALL {
-            let records: Vec<_> = of_case(&found, benchmark.name());
+            let records = of_case(&found, benchmark.name());
             if !records.is_empty() {
-                let seconds: Vec<_> = of_case(&timings, benchmark.name());
+                let seconds = of_case(&timings, benchmark.name());
                 problems.push((benchmark, measured::collect(benchmark, &records, &seconds)));
             }
         }
-        Ok(Self { problems, shortfall: found.shortfall(&plan.out) })
+        let name = Ingredients.name();
+        let ingredients = [of_case(&found, name), of_case(&timings, name)];
+        Ok(Self { problems, ingredients, shortfall: found.shortfall(&plan.out) })
     }
 
     /// Writes figures, tables and pages: what any machine reproduces below `accuracy/work-precision/`, seconds below
@@ -96,7 +104,12 @@ impl Study {
             }
             let area = if cost == Cost::Touches { "accuracy" } else { "timing" };
             let folder = out.join(area).join("work-precision");
-            let (artifacts, page) = artifacts::all(&self.problems, cost);
+            let mut artifacts = artifacts::all(&self.problems, cost);
+            let [records, timings] = &self.ingredients;
+            if cost == Cost::Seconds && !timings.is_empty() {
+                artifacts.extend(ingredients::timed_artifacts(records, timings));
+            }
+            let page = artifacts::page(&artifacts, cost);
             for artifact in &artifacts {
                 report::write_artifact(&folder, artifact)?;
             }

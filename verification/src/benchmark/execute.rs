@@ -1,6 +1,5 @@
 //! One run of a problem.
 
-use std::collections::BTreeMap;
 use std::time::Instant;
 
 use transpoint::variants::StressUpdate;
@@ -49,7 +48,7 @@ impl Build<2> for Variant {
 }
 
 /// Scene and settings of a method on a problem.
-pub(crate) fn set_up<const D: usize>(
+fn set_up<const D: usize>(
     problem: &dyn Problem<D>,
     variant: Variant,
     resolution: &Resolution,
@@ -62,62 +61,80 @@ pub(crate) fn set_up<const D: usize>(
 }
 
 /// What a run left.
-pub(super) struct Marched {
-    pub(super) outcome: Outcome,
+pub(crate) struct Marched {
+    pub(crate) outcome: Outcome,
     /// Relative errors; not numbers where the run did not complete.
-    pub(super) errors: Vec<f64>,
-    steps: f64,
-    n_points: usize,
-    bytes_per_point: usize,
-    counters: BTreeMap<String, u64>,
-    seconds: f64,
+    pub(crate) errors: Vec<f64>,
+    pub(crate) steps: f64,
+    pub(crate) seconds: f64,
 }
 
-/// Builds, steps and measures with a Courant number.
-pub(super) fn march<const D: usize>(
-    problem: &dyn Problem<D>,
-    variant: Variant,
-    resolution: &Resolution,
-    courant: f64,
-    progress: &Progress,
-) -> Result<Marched, InvalidInput>
-where
-    Variant: Build<D>,
-{
-    let set_up = set_up(problem, variant, resolution);
-    let mut simulation = variant.build(&set_up.scene, &set_up.settings)?;
-    let steps = (set_up.end / simulation.stable_dt(courant).dt).ceil().max(1.0);
-    let dt = set_up.end / steps;
-    let mut gauge = problem.gauge(resolution);
-    let mut outcome = Outcome::Completed;
-    let mut seconds = 0.0;
-    for step in 0..steps as u64 {
-        let start = Instant::now();
-        let stepped = simulation.step(dt);
-        seconds += start.elapsed().as_secs_f64();
-        if let Err(error) = stepped {
-            let (time, reason) = (simulation.time(), error.to_string());
-            outcome = Outcome::BlownUp { step, time, reason };
-            break;
-        }
-        gauge.watch(simulation.as_ref());
-        progress.advance(step + 1, steps as u64);
+/// A simulation with what its run needs.
+pub(crate) struct Runner<const D: usize> {
+    pub(crate) simulation: Box<dyn Simulation<D>>,
+    /// End time, s.
+    pub(crate) end: f64,
+    pub(crate) stress_update: StressUpdate,
+}
+
+impl<const D: usize> Runner<D> {
+    /// A method on a problem.
+    pub(crate) fn new(
+        problem: &dyn Problem<D>,
+        variant: Variant,
+        resolution: &Resolution,
+    ) -> Result<Self, InvalidInput>
+    where
+        Variant: Build<D>,
+    {
+        let SetUp { scene, settings, end } = set_up(problem, variant, resolution);
+        let simulation = variant.build(&scene, &settings)?;
+        Ok(Self { simulation, end, stress_update: variant.settings(&settings).stress_update })
     }
-    let errors = if outcome == Outcome::Completed {
-        let stress_update = variant.settings(&set_up.settings).stress_update;
-        gauge.errors(&End { simulation: simulation.as_ref(), dt, stress_update })
-    } else {
-        vec![f64::NAN; problem.errors().len()]
+
+    /// Steps with a Courant number, above 0, and measures.
+    pub(crate) fn march(
+        &mut self,
+        problem: &dyn Problem<D>,
+        resolution: &Resolution,
+        courant: f64,
+        progress: &Progress,
+    ) -> Marched {
+        let simulation = self.simulation.as_mut();
+        let steps = (self.end / simulation.stable_dt(courant).dt).ceil().max(1.0);
+        let dt = self.end / steps;
+        let mut gauge = problem.gauge(resolution);
+        let mut outcome = Outcome::Completed;
+        let mut seconds = 0.0;
+        for step in 0..steps as u64 {
+            let start = Instant::now();
+            let stepped = simulation.step(dt);
+            seconds += start.elapsed().as_secs_f64();
+            if let Err(error) = stepped {
+                let (time, reason) = (simulation.time(), error.to_string());
+                outcome = Outcome::BlownUp { step, time, reason };
+                break;
+            }
+            gauge.watch(simulation);
+            progress.advance(step + 1, steps as u64);
+        }
+        let errors = if outcome == Outcome::Completed {
+            gauge.errors(&End { simulation, dt, stress_update: self.stress_update })
+        } else {
+            vec![f64::NAN; problem.errors().len()]
+        };
+        Marched { outcome, errors, steps, seconds }
+    }
+}
+
+/// Rows of errors in the order of the problem.
+pub(crate) fn error_rows<const D: usize>(problem: &dyn Problem<D>, errors: &[f64]) -> Vec<Row> {
+    let row = |(kind, &value): (&super::ErrorKind, &f64)| Row {
+        value,
+        scale: 1.0,
+        ..Row::missing(kind.quantity, kind.norm)
     };
-    Ok(Marched {
-        outcome,
-        errors,
-        steps,
-        n_points: simulation.n_points(),
-        bytes_per_point: simulation.bytes_per_point(),
-        counters: counters(simulation.as_ref()),
-        seconds,
-    })
+    problem.errors().iter().zip(errors).map(row).collect()
 }
 
 /// The run of a specification.
@@ -129,15 +146,7 @@ pub(super) fn execute<const D: usize>(
 where
     Variant: Build<D>,
 {
-    let rows = |errors: &[f64]| -> Vec<Row> {
-        let row = |(kind, &value): (&super::ErrorKind, &f64)| Row {
-            value,
-            scale: 1.0,
-            ..Row::missing(kind.quantity, kind.norm)
-        };
-        problem.errors().iter().zip(errors).map(row).collect()
-    };
-    let missing = || rows(&vec![f64::NAN; problem.errors().len()]);
+    let missing = || error_rows(problem, &vec![f64::NAN; problem.errors().len()]);
     let variant = match Variant::parse(&spec.variant) {
         Ok(variant) => variant,
         Err(error) => return Findings::not_built(&error, missing()),
@@ -155,27 +164,29 @@ where
         let reason = "no Courant number from 0.1 on keeps its error at the coarsest level bounded";
         return Findings::not_built(&reason, missing());
     }
-    let marched = match march(problem, variant, resolution, courant, progress) {
-        Ok(marched) => marched,
+    let mut runner = match Runner::new(problem, variant, resolution) {
+        Ok(runner) => runner,
         Err(error) => return Findings::not_built(&error, missing()),
     };
+    let marched = runner.march(problem, resolution, courant, progress);
+    let simulation = runner.simulation.as_ref();
+    let counters = counters(simulation);
     let given = problem.set_up(resolution).settings;
-    let touches = touches(variant, &given, &marched.counters, resolution, D);
     let fact = |quantity: &str, value: f64| Row { value, ..Row::missing(quantity, OF_THE_RUN) };
-    let mut rows = rows(&marched.errors);
+    let mut rows = error_rows(problem, &marched.errors);
     rows.extend([
         fact("courant", courant),
         fact("steps", marched.steps),
-        fact("points", marched.n_points as f64),
-        fact("bytes-per-point", marched.bytes_per_point as f64),
-        fact("touches", touches),
+        fact("points", simulation.n_points() as f64),
+        fact("bytes-per-point", simulation.bytes_per_point() as f64),
+        fact("touches", touches(variant, &given, &counters, resolution, D)),
     ]);
     Findings {
         outcome: marched.outcome,
         rows,
         profiles: Vec::new(),
         rasters: Vec::new(),
-        counters: marched.counters,
+        counters,
         seconds: marched.seconds,
     }
 }

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use transpoint::Variant;
 
-use super::execute::{Build, march};
+use super::execute::{Build, Runner};
 use super::{COURANT, POINTS_PER_AXIS, resolution_of};
 use crate::problems::Problem;
 use crate::progress::Progress;
@@ -42,8 +42,10 @@ where
 {
     let resolution = resolution_of(problem.levels()[0], POINTS_PER_AXIS[0]);
     let error = |courant: f64| {
-        let marched = march(problem, variant, &resolution, courant, &Progress::silent());
-        marched.map_or(f64::NAN, |marched| marched.errors[0])
+        let silent = Progress::silent();
+        Runner::new(problem, variant, &resolution).map_or(f64::NAN, |mut runner| {
+            runner.march(problem, &resolution, courant, &silent).errors[0]
+        })
     };
     let common = error(COURANT);
     // Where the common number fails, any run that ends with an error below the answer itself is stable.

@@ -68,11 +68,11 @@ fn find<'a>(all: &'a [Series], variant: &str, quantity: &str) -> Option<&'a Seri
 
 fn figure(benchmark: &Benchmark, all: &[Series]) -> Figure {
     let panel = |kind: &super::ErrorKind| {
-        let curve = |variant: &transpoint::Variant| {
+        let curve = |(style, variant): (usize, &transpoint::Variant)| {
             let series = find(all, variant.name(), kind.quantity)?;
             Some(Curve {
                 label: series.variant.clone(),
-                style: errors::style(&series.variant),
+                style,
                 points: series.points.clone(),
                 look: Look::Marked,
             })
@@ -82,7 +82,7 @@ fn figure(benchmark: &Benchmark, all: &[Series]) -> Figure {
             x: Axis::log("cell size h (m)"),
             y: Axis::log("relative error"),
             legend: "jittered points".to_owned(),
-            curves: VARIANTS.iter().filter_map(curve).collect(),
+            curves: VARIANTS.iter().enumerate().filter_map(curve).collect(),
             slopes: vec![1.0, 2.0],
         }
     };

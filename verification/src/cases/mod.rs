@@ -26,9 +26,10 @@ pub mod spectral;
 
 use crate::benchmark;
 use crate::case::Case;
+use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 22] = [
+pub static ALL: [&dyn Case; 23] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -49,6 +50,7 @@ pub static ALL: [&dyn Case; 22] = [
     &benchmark::ALL[3],
     &benchmark::ALL[4],
     &benchmark::ALL[5],
+    &Ingredients,
     &operators::Operators,
     &spectral::Spectral,
 ];

@@ -5,6 +5,7 @@
 
 pub mod animation;
 pub mod axis;
+pub mod bars;
 pub mod map;
 pub mod page;
 pub mod palette;
@@ -26,6 +27,7 @@ use crate::number::{bound, significant};
 use crate::plan::Plan;
 use crate::record::{RunRecord, tidy_csv, write_whole};
 use animation::Animation;
+use bars::BarFigure;
 use map::MapFigure;
 use plot::Figure;
 use table::Table;
@@ -46,6 +48,8 @@ pub enum Content {
     Figure(Figure),
     /// Written as SVG and PNG to `figures/`.
     Maps(MapFigure),
+    /// Written as SVG and PNG to `figures/`.
+    Bars(BarFigure),
     /// Written as a PNG file with several frames to `animations/`.
     Animation(Animation),
     /// Written as CSV and Markdown to `tables/`.
@@ -165,6 +169,7 @@ pub fn write_artifact(folder: &Path, artifact: &Artifact) -> Result<()> {
     match &artifact.content {
         Content::Figure(figure) => write_figure(folder, &artifact.stem, &plot::svg(figure)?),
         Content::Maps(figure) => write_figure(folder, &artifact.stem, &map::svg(figure)?),
+        Content::Bars(figure) => write_figure(folder, &artifact.stem, &bars::svg(figure)?),
         Content::Animation(animation) => {
             let path = folder.join("animations").join(&artifact.stem);
             write_whole(&path.with_extension("png"), &animation::png(animation)?)

@@ -66,7 +66,7 @@ fn reasons(checks: &[Check]) -> String {
 pub fn embed(artifact: &Artifact) -> String {
     let stem = &artifact.stem;
     match &artifact.content {
-        Content::Figure(_) | Content::Maps(_) => {
+        Content::Figure(_) | Content::Maps(_) | Content::Bars(_) => {
             format!("![{}](figures/{stem}.svg)\n\n[PNG](figures/{stem}.png)\n", artifact.title)
         }
         Content::Animation(animation) => {

@@ -2,10 +2,10 @@
 
 use anyhow::Result;
 use plotters::prelude::{IntoDrawingArea, SVGBackend, WHITE};
-use plotters::style::Color;
+use plotters::style::{Color, ShapeStyle};
 
 use super::axis::{Axis, Ruler, Scale};
-use super::style::{self, Anchor, Canvas, GRID, GUIDE, INK, LARGE, NORMAL, SMALL};
+use super::style::{self, Anchor, Canvas, GRID, GUIDE, INK, LARGE, NORMAL, PALE, SMALL};
 
 /// One curve.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,16 +29,29 @@ pub enum Look {
     Sparse(usize),
     /// A line alone, for what is exact.
     Line,
+    /// A wide pale line, for what encloses the others.
+    Band,
+    /// A thin grey line, to compare slopes with.
+    Guide,
     /// Markers alone, for what was measured elsewhere.
     Dots,
 }
 
 impl Look {
+    /// Its line on the curve of a style.
+    fn stroke(self, style: usize) -> ShapeStyle {
+        match self {
+            Self::Band => PALE.stroke_width(12),
+            Self::Guide => GUIDE.stroke_width(1),
+            _ => style::stroke(style),
+        }
+    }
+
     /// Whether value `index` of `count` gets a marker on the curve of a style.
     fn marks(self, index: usize, count: usize, style: usize) -> bool {
         match self {
             Self::Marked | Self::Dots => true,
-            Self::Line => false,
+            Self::Line | Self::Band | Self::Guide => false,
             Self::Sparse(markers) => {
                 let stride = (count / markers.max(1)).max(1);
                 index % stride == (style * stride / 9 + stride / 2) % stride
@@ -202,7 +215,7 @@ fn draw_curve(canvas: &Canvas<'_>, curve: &Curve, x: &Ruler, y: &Ruler) -> Resul
     for piece in places.split(Option::is_none) {
         let piece: Vec<_> = piece.iter().copied().flatten().collect();
         if piece.len() > 1 && curve.look != Look::Dots {
-            style::line(canvas, piece, style::stroke(curve.style))?;
+            style::line(canvas, piece, curve.look.stroke(curve.style))?;
         }
     }
     let count = places.len();
@@ -241,9 +254,10 @@ fn draw_legend(canvas: &Canvas<'_>, panel: &Panel, frame: &Frame) -> Result<()> 
     for curve in &panel.curves {
         y += room.clamp(18, 36);
         if curve.look != Look::Dots {
-            style::line(canvas, vec![(left, y), (left + 44, y)], style::stroke(curve.style))?;
+            let stroke = curve.look.stroke(curve.style);
+            style::line(canvas, vec![(left, y), (left + 44, y)], stroke)?;
         }
-        if curve.look != Look::Line {
+        if !matches!(curve.look, Look::Line | Look::Band | Look::Guide) {
             style::marker(canvas, curve.style, (left + 22, y))?;
         }
         style::text(canvas, &curve.label, (left + 56, y), SMALL, Anchor::Start)?;

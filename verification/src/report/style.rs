@@ -27,6 +27,8 @@ pub const LARGE: u32 = 26;
 pub const INK: RGBColor = RGBColor(40, 40, 40);
 /// Major grid lines.
 pub const GRID: RGBColor = RGBColor(222, 222, 222);
+/// Wide lines that others are drawn over.
+pub const PALE: RGBColor = RGBColor(205, 205, 205);
 /// Guides such as slope triangles.
 pub const GUIDE: RGBColor = RGBColor(110, 110, 110);
 

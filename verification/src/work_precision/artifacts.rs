@@ -4,7 +4,6 @@ use super::front::{cost_at_error, error_at_cost, front};
 use super::measured::{Cost, Measured};
 use crate::benchmark::{Benchmark, COURANT, OWN_SHARE, VARIANTS};
 use crate::case::Case;
-use crate::cases::errors;
 use crate::number;
 use crate::report::axis::Axis;
 use crate::report::plot::{Curve, Figure, Look, Panel};
@@ -13,13 +12,10 @@ use crate::report::{Area, Artifact, Content, page};
 
 /// Errors whose cost is tabled.
 const TARGETS: [(f64, &str); 3] = [(0.1, "10pct"), (0.03, "3pct"), (0.01, "1pct")];
-/// Colour of the guides among the styles: grey.
-const GUIDE: usize = 7;
-
 type Problems = [(&'static Benchmark, Vec<Measured>)];
 
-/// Every figure and table on that scale, and the page that shows them.
-pub(super) fn all(problems: &Problems, cost: Cost) -> (Vec<Artifact>, String) {
+/// Every figure and table on that scale.
+pub(super) fn all(problems: &Problems, cost: Cost) -> Vec<Artifact> {
     let mut artifacts = vec![ranking(problems, cost)];
     artifacts.extend(TARGETS.iter().map(|&(error, name)| reached(problems, cost, error, name)));
     artifacts.push(within_budget(problems, cost));
@@ -31,6 +27,11 @@ pub(super) fn all(problems: &Problems, cost: Cost) -> (Vec<Artifact>, String) {
         artifacts.push(gaps(problems));
         artifacts.push(every_point(problems));
     }
+    artifacts
+}
+
+/// The page that shows some artifacts.
+pub(super) fn page(artifacts: &[Artifact], cost: Cost) -> String {
     let mut text = format!(
         "# Speed against error\n\nWritten by `verify work-precision`; do not edit. Errors are relative, those that each \
          problem names first; costs are {}. Each method runs on every problem at four cell sizes with 2 and with 3 \
@@ -39,10 +40,10 @@ pub(super) fn all(problems: &Problems, cost: Cost) -> (Vec<Artifact>, String) {
          points are jittered.\n",
         cost.label()
     );
-    for artifact in &artifacts {
+    for artifact in artifacts {
         text += &format!("\n## {}\n\n{}", artifact.title, page::embed(artifact));
     }
-    (artifacts, text)
+    text
 }
 
 fn artifact(cost: Cost, stem: &str, title: String, content: Content) -> Artifact {
@@ -64,11 +65,13 @@ fn figure(benchmark: &Benchmark, points: &[Measured], cost: Cost) -> Artifact {
         let all = pairs(points, variant, cost);
         front(&all).into_iter().map(|i| all[i]).collect::<Vec<_>>()
     };
+    // Colours by the place among the methods compared, so that few come back.
     let mut curves: Vec<Curve> = VARIANTS
         .iter()
-        .map(|variant| Curve {
+        .enumerate()
+        .map(|(style, variant)| Curve {
             label: variant.name().to_owned(),
-            style: errors::style(variant.name()),
+            style,
             points: along(Some(variant.name())),
             look: Look::Marked,
         })
@@ -78,9 +81,9 @@ fn figure(benchmark: &Benchmark, points: &[Measured], cost: Cost) -> Artifact {
     curves.extend(guides(&best, benchmark.dimension()));
     curves.push(Curve {
         label: "front of all".to_owned(),
-        style: GUIDE,
+        style: 0,
         points: best,
-        look: Look::Line,
+        look: Look::Band,
     });
     let kind = benchmark.errors()[0];
     let panel = Panel {
@@ -106,9 +109,9 @@ fn guides(best: &[(f64, f64)], dimension: usize) -> Vec<Curve> {
         let last = error * (end / start).powf(-order / (dimension as f64 + 1.0));
         Curve {
             label: format!("order {order} in h"),
-            style: GUIDE,
+            style: 0,
             points: vec![(start, error), (end, last)],
-            look: Look::Line,
+            look: Look::Guide,
         }
     };
     vec![guide(1.0), guide(2.0)]

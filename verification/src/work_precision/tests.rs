@@ -50,7 +50,8 @@ fn advice_counts_touches_where_nothing_was_timed() {
 fn a_burst_leaves_a_gap_and_a_reason_and_no_place_on_the_front() {
     let runs = vec![run("mpm", 0, f64::NAN, 1.0, 0.1), run("apic", 0, 0.1, 2.0, 0.2)];
     let problems = [(&benchmark::ALL[0], runs)];
-    let (artifacts, page) = artifacts::all(&problems, Cost::Touches);
+    let artifacts = artifacts::all(&problems, Cost::Touches);
+    let page = artifacts::page(&artifacts, Cost::Touches);
     let table = |stem: &str| {
         artifacts.iter().find(|artifact| artifact.stem == stem).map(|artifact| &artifact.content)
     };

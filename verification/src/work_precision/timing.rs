@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use transpoint::{Simulation, Variant};
 
 use crate::benchmark::{
-    self, AnyProblem, Benchmark, Build, Courant, POINTS_PER_AXIS, VARIANTS, set_up,
+    self, AnyProblem, Benchmark, Build, Courant, POINTS_PER_AXIS, Runner, VARIANTS,
 };
 use crate::case::{Case, Findings, Outcome, Row, RunSpec, Tier};
 use crate::convergence::Order;
@@ -30,7 +30,7 @@ const ROUND_SECONDS: f64 = 0.02;
 /// Name of the methods together.
 const EVERY: &str = "every";
 /// Quantity of the rows is a method, and this is their norm.
-const NORM: &str = "seconds-per-step";
+pub(crate) const NORM: &str = "seconds-per-step";
 
 /// The timing of a problem, as a case.
 pub struct Timing(&'static Benchmark);
@@ -47,8 +47,6 @@ pub fn all() -> &'static [Timing] {
 struct Parameters {
     resolution: Resolution,
     variants: Vec<Variant>,
-    rounds: usize,
-    warm_up: u64,
 }
 
 /// Seconds per step of a run's method at its resolution; not a number without a timing.
@@ -65,8 +63,6 @@ impl Timing {
         let parameters = Parameters {
             resolution: self.0.resolution(level, points_per_axis),
             variants: VARIANTS.to_vec(),
-            rounds: ROUNDS,
-            warm_up: WARM_UP,
         };
         let mut spec = self.0.spec(VARIANTS[0], level, points_per_axis, Courant::Common);
         EVERY.clone_into(&mut spec.variant);
@@ -123,15 +119,6 @@ impl Case for Timing {
     }
 }
 
-/// A method on the track.
-struct Runner<const D: usize> {
-    variant: Variant,
-    simulation: Box<dyn Simulation<D>>,
-    dt: f64,
-    steps: u64,
-    least: f64,
-}
-
 fn execute<const D: usize>(
     problem: &dyn Problem<D>,
     spec: &RunSpec,
@@ -144,26 +131,41 @@ where
         Ok(parameters) => parameters,
         Err(error) => return Findings::not_built(&error, Vec::new()),
     };
-    let start = Instant::now();
-    let mut runners: Vec<Runner<D>> = parameters
-        .variants
-        .iter()
-        .filter_map(|&variant| prepare(problem, variant, &parameters))
-        .collect();
-    for round in 0..parameters.rounds {
-        for runner in &mut runners {
-            runner.least =
-                runner.least.min(timed(runner.simulation.as_mut(), runner.dt, runner.steps));
-        }
-        progress.advance(round as u64 + 1, parameters.rounds as u64);
-    }
-    let row = |runner: &Runner<D>| Row {
-        value: runner.least,
-        ..Row::missing(runner.variant.name(), NORM)
+    let entrant = |&variant: &Variant| {
+        let runner = Runner::new(problem, variant, &parameters.resolution).ok()?;
+        Some((variant.name().to_owned(), runner.simulation))
     };
+    race(parameters.variants.iter().filter_map(entrant).collect(), progress)
+}
+
+/// One simulation on the track.
+struct Racer<const D: usize> {
+    name: String,
+    simulation: Box<dyn Simulation<D>>,
+    dt: f64,
+    steps: u64,
+    least: f64,
+}
+
+/// Seconds per step of each simulation, in turns; rows named after them. One that bursts in its first steps is left
+/// out.
+pub(crate) fn race<const D: usize>(
+    entrants: Vec<(String, Box<dyn Simulation<D>>)>,
+    progress: &Progress,
+) -> Findings {
+    let start = Instant::now();
+    let mut racers: Vec<Racer<D>> = entrants.into_iter().filter_map(prepare).collect();
+    for round in 0..ROUNDS {
+        for racer in &mut racers {
+            racer.least = racer.least.min(timed(racer.simulation.as_mut(), racer.dt, racer.steps));
+        }
+        progress.advance(round as u64 + 1, ROUNDS as u64);
+    }
+    let row =
+        |racer: &Racer<D>| Row { value: racer.least, ..Row::missing(racer.name.as_str(), NORM) };
     Findings {
         outcome: Outcome::Completed,
-        rows: runners.iter().map(row).collect(),
+        rows: racers.iter().map(row).collect(),
         profiles: Vec::new(),
         rasters: Vec::new(),
         counters: std::collections::BTreeMap::new(),
@@ -171,25 +173,15 @@ where
     }
 }
 
-/// A simulation past its first steps, with the steps of a round; `None` if it cannot be built or bursts at once.
+/// A simulation past its first steps, with the steps of a round.
 fn prepare<const D: usize>(
-    problem: &dyn Problem<D>,
-    variant: Variant,
-    parameters: &Parameters,
-) -> Option<Runner<D>>
-where
-    Variant: Build<D>,
-{
-    let set_up = set_up(problem, variant, &parameters.resolution);
-    let mut simulation = variant.build(&set_up.scene, &set_up.settings).ok()?;
+    (name, mut simulation): (String, Box<dyn Simulation<D>>),
+) -> Option<Racer<D>> {
     // Half the common step: timing is about steps, not about their length, and the points stay near their start.
     let dt = simulation.stable_dt(0.5 * benchmark::COURANT).dt;
-    let first = timed(simulation.as_mut(), dt, parameters.warm_up);
-    if !first.is_finite() {
-        return None;
-    }
+    let first = timed(simulation.as_mut(), dt, WARM_UP);
     let steps = (ROUND_SECONDS / first).ceil().clamp(1.0, 500.0) as u64;
-    Some(Runner { variant, simulation, dt, steps, least: f64::INFINITY })
+    first.is_finite().then_some(Racer { name, simulation, dt, steps, least: f64::INFINITY })
 }
 
 /// Seconds per step over some steps; infinite if one of them fails.
