@@ -27,6 +27,8 @@ fn help_of_every_command() {
         &["run", "--help"],
         &["report", "--help"],
         &["check", "--help"],
+        &["work-precision", "--help"],
+        &["advise", "--help"],
     ] {
         let output = verify(command);
         assert_eq!(code(&output), 0);
@@ -103,4 +105,45 @@ fn report_and_check_without_records_say_so_and_write_nothing() {
         assert_usage_error(&output, &["no records", folder, "verify run"]);
     }
     assert!(is_empty(out.path()));
+}
+
+#[test]
+fn advice_needs_records_and_an_error_that_can_be_reached() {
+    let out = tempfile::tempdir().expect("a folder");
+    let folder = out.path().to_str().expect("a name");
+    let advise =
+        |error: &str| verify(&["advise", "advected-wave", "--error", error, "--out", folder]);
+    assert_usage_error(&advise("1%"), &["no measured errors", "verify run"]);
+    assert_usage_error(&advise("0"), &["--error", "above 0"]);
+    assert_usage_error(&advise("110%"), &["--error", "at most 100%"]);
+    assert_usage_error(&advise("small"), &["small", "above 0"]);
+    let unknown = verify(&["advise", "nope", "--error", "1%", "--out", folder]);
+    assert_usage_error(&unknown, &["`nope`", "advected-wave"]);
+    assert!(is_empty(out.path()), "advice writes nothing");
+}
+
+/// The whole way of the study on a line of 16 cells: runs, a timing, pages, advice.
+#[test]
+fn speed_against_error_from_the_command_line() {
+    let out = tempfile::tempdir().expect("a folder");
+    let folder = out.path().to_str().expect("a name");
+    let study =
+        ["work-precision", "--case", "advected-wave", "--level", "0", "--quiet", "--out", folder];
+    let output = verify(&study);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for page in ["accuracy/work-precision/README.md", "timing/work-precision/README.md"] {
+        assert!(out.path().join(page).exists(), "{page}");
+    }
+    let again = verify(&study);
+    assert!(stdout(&again).contains("48 runs: 0 executed, 48 on record"), "{}", stdout(&again));
+    let advice =
+        verify(&["advise", "advected-wave", "--error", "10%", "--format", "json", "--out", folder]);
+    assert_eq!(code(&advice), 0, "{}", stderr(&advice));
+    let found: serde_json::Value = serde_json::from_str(&stdout(&advice)).expect("JSON");
+    let runs = found.as_array().expect("a list");
+    assert!(!runs.is_empty());
+    assert!(runs.iter().all(|run| run["run"]["error"].as_f64().expect("a number") <= 0.1));
+    let out_of_reach = verify(&["advise", "advected-wave", "--error", "1e-9", "--out", folder]);
+    assert_eq!(code(&out_of_reach), 1);
+    assert!(stdout(&out_of_reach).contains("no run of advected-wave reached"));
 }
