@@ -28,7 +28,7 @@ use crate::benchmark;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 22] = [
+pub static ALL: [&dyn Case; 30] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -49,6 +49,14 @@ pub static ALL: [&dyn Case; 22] = [
     &benchmark::ALL[3],
     &benchmark::ALL[4],
     &benchmark::ALL[5],
+    &benchmark::ALL[6],
+    &benchmark::ALL[7],
+    &benchmark::ALL[8],
+    &benchmark::ALL[9],
+    &benchmark::ALL[10],
+    &benchmark::ALL[11],
+    &benchmark::ALL[12],
+    &benchmark::ALL[13],
     &operators::Operators,
     &spectral::Spectral,
 ];
