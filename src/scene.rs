@@ -1,9 +1,11 @@
 //! What is simulated: plain data in SI units, independent of the method that solves it.
 
 mod body;
+mod central_force;
 mod inlet;
 
 pub use body::{BodyShape, BodySpec, BodySurface};
+pub use central_force::CentralForce;
 pub use inlet::{InletProfile, InletSpec, Side, Supply};
 
 use serde::{Deserialize, Serialize};
@@ -168,6 +170,9 @@ pub struct Scene<const D: usize> {
     /// Acceleration, m/s².
     #[serde(with = "axes")]
     pub body_force: [f64; D],
+    /// Acceleration towards a point, in proportion to the distance, besides `body_force`; absent: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub central_force: Option<CentralForce<D>>,
     /// Kinematic viscosity ν, m²/s; absent: inviscid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<f64>,
@@ -203,6 +208,7 @@ impl<const D: usize> Scene<D> {
             boundaries,
             equation_of_state,
             body_force: [0.0; D],
+            central_force: None,
             viscosity: None,
             shear_modulus: None,
             energy: false,

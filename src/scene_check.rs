@@ -10,7 +10,7 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::quadrature::{Quadrature, Samples};
 use crate::reconstruction::Reconstruction;
-use crate::scene::Scene;
+use crate::scene::{Boundary, Scene};
 use crate::settings::{Rearrangement, StressUpdate};
 use crate::transfer::Transfer;
 
@@ -31,6 +31,7 @@ pub fn check_points<T: Scalar, const D: usize>(
             return Err(InvalidInput::new(field, scene.body_force[axis], "finite, in m/s²"));
         }
     }
+    check_central_force(scene)?;
     for (id, point) in scene.points.iter().enumerate() {
         let field = |name: &str| format!("points[{id}].{name}");
         for (name, value) in [("density", point.density), ("mass", point.mass)] {
@@ -53,6 +54,30 @@ pub fn check_points<T: Scalar, const D: usize>(
             let value = format!("{:?}", point.position);
             return Err(InvalidInput::new(field("position"), value, "inside the grid's box, in m"));
         }
+    }
+    Ok(())
+}
+
+/// A central force is finite, and no face or opening contradicts it.
+fn check_central_force<const D: usize>(scene: &Scene<D>) -> Result<(), InvalidInput> {
+    let Some(force) = scene.central_force else { return Ok(()) };
+    for (axis, place) in force.center.into_iter().enumerate() {
+        if !place.is_finite() {
+            let field = format!("central_force.center[{axis}]");
+            return Err(InvalidInput::new(field, place, "finite, in m"));
+        }
+    }
+    if !(force.rate.is_finite() && force.rate > 0.0) {
+        let allowed = "a positive number in 1/s, or no central force";
+        return Err(InvalidInput::new("central_force.rate", force.rate, allowed));
+    }
+    if scene.boundaries.iter().flatten().any(|&face| face == Boundary::Periodic) {
+        let allowed = "absent where a face is periodic: the force would jump there";
+        return Err(InvalidInput::new("central_force", "present", allowed));
+    }
+    if !scene.inlets.is_empty() {
+        let allowed = "absent where there are inlets: their pressure is that of the uniform force";
+        return Err(InvalidInput::new("central_force", "present", allowed));
     }
     Ok(())
 }

@@ -26,10 +26,10 @@ use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::smoothing::SmootherOf;
 use crate::step::{
-    AffineOf, CellMean, CellSamples, Center, GridState, NodeForces, ParticlesOf, Pass, Physics,
-    ScatterParts, StateOf, StateSource, View, constrain, divergence, fuses_impulse, gather_columns,
-    grid_to_particles, increment_energy, limit_pressure, node_velocity, particles_to_grid,
-    rebuild_centers, update_grid,
+    AffineOf, CellMean, CellSamples, Center, Central, GridState, NodeForces, ParticlesOf, Pass,
+    Physics, ScatterParts, StateOf, StateSource, View, add_central_force, constrain, divergence,
+    fuses_impulse, gather_columns, grid_to_particles, increment_energy, limit_pressure,
+    node_velocity, particles_to_grid, rebuild_centers, update_grid,
 };
 use crate::telemetry::Counters;
 use crate::transfer::Transfer;
@@ -125,6 +125,7 @@ where
             minimum_density: minimum_density(scene, &equation_of_state)?,
             box_edge: box_edge(scene, &grid),
             body_force: scene.body_force.map(T::lit),
+            central_force: scene.central_force.as_ref().map(Central::new),
             boundaries: scene.boundaries,
         };
         let mut solver = Self {
@@ -297,8 +298,8 @@ where
 
     /// Nodes → nodes: the velocity at the end of the step.
     pub fn update_grid(&mut self, dt: T) {
-        let Self { physics, nodes, .. } = self;
-        let Nodes { velocity, increment, transfer, force, walls, held, .. } = nodes;
+        let Self { method, physics, grid, nodes, .. } = self;
+        let Nodes { index, velocity, increment, transfer, force, walls, held, .. } = nodes;
         let mut bodies = self.bodies.as_mut();
         let (forces, masses) = if fuses_impulse::<T, D, M>() {
             (NodeForces::Fused(transfer), &*transfer)
@@ -311,10 +312,14 @@ where
         }
         constrain(fixed, &physics.boundaries, velocity, None);
         if let Some(bodies) = &mut bodies {
-            let share = <M::Transfer as Transfer<T, D>>::flip_share(&self.method.transfer(), dt);
+            let share = <M::Transfer as Transfer<T, D>>::flip_share(&method.transfer(), dt);
             bodies.note_held(held, velocity, share);
         }
         update_grid(dt, physics.body_force, forces, (velocity, increment));
+        if let Some(central) = &physics.central_force {
+            let rows = (index.as_slice(), velocity.as_mut_slice(), increment.as_mut_slice());
+            add_central_force(dt, central, (grid, &method.shape()), masses, rows);
+        }
         if let Some(bodies) = &mut bodies {
             bodies.note_increment(held, increment, T::one());
         }

@@ -29,11 +29,25 @@ where
             longitudinal = longitudinal.max((c * c + shear).sqrt());
             speed = speed.max(crate::math::dot(*v, *v));
         }
+        let mut acceleration = physics.body_force.map(|b| b.abs());
+        let mut rate = T::zero();
+        if let Some(central) = &physics.central_force {
+            rate = central.rate_squared.sqrt();
+            let uniform = acceleration;
+            for &position in &p.position {
+                let towards = central.acceleration(position);
+                for axis in 0..D {
+                    acceleration[axis] =
+                        acceleration[axis].max(uniform[axis] + towards[axis].abs());
+                }
+            }
+        }
         let limits = [
             ("acoustic", time_step::acoustic_cell(spacing, longitudinal)),
             ("advective", time_step::advective(spacing, speed.sqrt())),
             ("viscous", time_step::viscous(spacing, physics.material.viscosity(sound))),
-            ("body-force", time_step::body_force(spacing, physics.body_force)),
+            ("body-force", time_step::body_force(spacing, acceleration)),
+            ("central-force", time_step::central_force(rate)),
         ];
         let (limit, dt) = limits.into_iter().fold(("none", f64::INFINITY), |least, (name, dt)| {
             let dt = dt.as_f64();

@@ -126,6 +126,16 @@ pub fn body_force<T: Scalar, const D: usize>(spacing: [T; D], acceleration: [T; 
     })
 }
 
+/// Oscillation about the center of a central force, rate Ω in 1/s: `Δt ≤ 2/Ω`.
+///
+/// A step gives a point the new velocity first and then moves it with that, `v' = v − Δt Ω² x` and
+/// `x' = x + Δt v'`. The matrix of the step has determinant 1 and trace `2 − (Ω Δt)²`, so that its
+/// eigenvalues lie on the unit circle up to there.
+#[inline]
+pub fn central_force<T: Scalar>(rate: T) -> T {
+    T::lit(2.0) / rate
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -209,6 +219,7 @@ mod tests {
         assert_near(viscous([0.1, 1e9], 1e-3), viscous([0.1], 1e-3), 1e-15);
         assert_near(body_force([0.4, 0.09], [0.0, -9.0]), 0.025, 1e-15);
         assert_near(worst_transfer_factor::<f64>().powi(2), 0.5, 1e-15);
+        assert_eq!(central_force(0.5), 4.0);
     }
 
     #[test]
@@ -218,5 +229,6 @@ mod tests {
         assert_eq!(advective(spacing, 0.0), never);
         assert_eq!(viscous(spacing, 0.0), never);
         assert_eq!(body_force(spacing, [0.0; 2]), never);
+        assert_eq!(central_force(0.0), never);
     }
 }

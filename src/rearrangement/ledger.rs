@@ -30,7 +30,7 @@ impl EventKind {
 pub struct Totals<const D: usize> {
     /// Mass, momentum, angular momentum, kinetic and internal energy.
     pub conserved: Conserved<D>,
-    /// −Σ m b·x with the acceleration b of the scene, J.
+    /// −Σ m b·x with the acceleration b of the scene, and Σ ½ m Ω² |x − x_c|² of a central force, J.
     pub potential_energy: f64,
     /// Σ m ∫ p/ρ² dρ, J; zero for laws with an internal energy.
     pub compression_energy: f64,
@@ -194,6 +194,9 @@ where
         for axis in 0..D {
             let height = physics.body_force[axis] * particles.position[point][axis];
             totals.potential_energy -= mass * height.as_f64();
+        }
+        if let Some(central) = &physics.central_force {
+            totals.potential_energy += mass * central.potential(particles.position[point]).as_f64();
         }
         let energy = physics.equation_of_state.compression_energy(particles.density[point]);
         totals.compression_energy += mass * energy.as_f64();

@@ -59,8 +59,14 @@ where
                                 let there = centers[other].density;
                                 let mean = T::lit(0.5) * (here.density + there);
                                 let distance = T::lit(f64::from(side)) * grid.spacing[axis];
-                                let rest =
-                                    mean * physics.body_force[axis] * distance * slope_per_density;
+                                let mut force = physics.body_force[axis];
+                                if let Some(central) = &physics.central_force {
+                                    let half = T::lit(0.5 * f64::from(1 + side));
+                                    let face = grid.origin[axis]
+                                        + grid.spacing[axis] * (T::from_index(cell[axis]) + half);
+                                    force += central.rate_squared * (central.center[axis] - face);
+                                }
+                                let rest = mean * force * distance * slope_per_density;
                                 *out += (there - here.density - rest) * grid.inverse_spacing[axis];
                             }
                         }

@@ -2,6 +2,7 @@
 
 mod cell_divergence;
 mod centers;
+mod central_force;
 mod columns;
 mod gather;
 mod grid_to_particles;
@@ -16,6 +17,7 @@ mod stretch;
 mod update_grid;
 
 pub use centers::{CellSamples, Center, divergence, rebuild_centers};
+pub use central_force::{Central, add_central_force};
 pub use columns::{centers_read, gather_columns, nodes_read};
 pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
 pub use interpolate::{divergence_at_points, gradients_at_points, interpolate};
@@ -72,6 +74,8 @@ pub struct Physics<T, const D: usize, K> {
     pub box_edge: T,
     /// Acceleration, m/s².
     pub body_force: [T; D],
+    /// Acceleration towards a point, besides that.
+    pub central_force: Option<Central<T, D>>,
     /// Lower and upper face of each axis.
     pub boundaries: [[Boundary; 2]; D],
 }

@@ -25,7 +25,8 @@ use crate::cases::lattice::{JITTER, LAYOUTS};
 use crate::convergence::{self, Order};
 use crate::judge::Check;
 use crate::problems::{
-    ErrorKind, Problem, Resolution, advected_wave, poiseuille, pressure_pulse, riemann_tube,
+    ErrorKind, Problem, Resolution, advected_wave, cavity, drop, gravity_wave, gresho,
+    hydrostatic_tank, loaded_column, poiseuille, pressure_pulse, riemann_tube, solitary_wave,
     taylor_green,
 };
 use crate::progress::Progress;
@@ -33,13 +34,21 @@ use crate::record::RunRecord;
 use crate::report::Artifact;
 
 /// The problems, in the order of the page.
-pub static ALL: [Benchmark; 6] = [
+pub static ALL: [Benchmark; 14] = [
     Benchmark(AnyProblem::Line(&advected_wave::AdvectedWave)),
     Benchmark(AnyProblem::Line(&riemann_tube::RiemannTube)),
     Benchmark(AnyProblem::Plane(&pressure_pulse::PressurePulse)),
     Benchmark(AnyProblem::Plane(&poiseuille::PoiseuilleStart)),
     Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: Some(100.0) })),
     Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: None })),
+    Benchmark(AnyProblem::Plane(&gresho::GreshoVortex)),
+    Benchmark(AnyProblem::Plane(&cavity::LidCavity)),
+    Benchmark(AnyProblem::Line(&loaded_column::SuddenLoad)),
+    Benchmark(AnyProblem::Plane(&hydrostatic_tank::Tank)),
+    Benchmark(AnyProblem::Plane(&gravity_wave::StandingGravityWave)),
+    Benchmark(AnyProblem::Plane(&solitary_wave::RunningWave)),
+    Benchmark(AnyProblem::Plane(&drop::ELLIPTICAL)),
+    Benchmark(AnyProblem::Plane(&drop::OSCILLATING)),
 ];
 
 /// The methods compared: those that every case compares, and of their rivals the ones that differ most.

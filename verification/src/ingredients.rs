@@ -29,7 +29,8 @@ use crate::work_precision::timing::race;
 pub use recipes::{INGREDIENTS, Ingredient};
 
 /// The scenes, by the names of the problems.
-const SCENES: [&str; 2] = ["taylor-green-inviscid", "pressure-pulse"];
+const SCENES: [&str; 4] =
+    ["taylor-green-inviscid", "pressure-pulse", "gravity-wave", "elliptical-drop"];
 /// The method to which the ingredients are added.
 const BASE: Variant = Variant::TpmVpQuadratic;
 /// Level of the problem at which they are compared.

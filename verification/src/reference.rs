@@ -7,6 +7,7 @@
 pub mod channel;
 pub mod cylinder;
 pub mod dam_break;
+pub mod lid_cavity;
 
 use std::fmt::Write;
 

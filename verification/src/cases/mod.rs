@@ -29,7 +29,7 @@ use crate::case::Case;
 use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 23] = [
+pub static ALL: [&dyn Case; 31] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -50,6 +50,14 @@ pub static ALL: [&dyn Case; 23] = [
     &benchmark::ALL[3],
     &benchmark::ALL[4],
     &benchmark::ALL[5],
+    &benchmark::ALL[6],
+    &benchmark::ALL[7],
+    &benchmark::ALL[8],
+    &benchmark::ALL[9],
+    &benchmark::ALL[10],
+    &benchmark::ALL[11],
+    &benchmark::ALL[12],
+    &benchmark::ALL[13],
     &Ingredients,
     &operators::Operators,
     &spectral::Spectral,

@@ -3,6 +3,9 @@
 pub mod acoustic;
 pub mod acoustic_radial;
 pub mod elastic_bar;
+pub mod elliptical_drop;
+pub mod gravity_wave;
+pub mod gresho;
 pub mod hydrostatic_column;
 pub mod ideal_gas_riemann;
 pub mod isothermal_riemann;
@@ -14,4 +17,5 @@ pub mod riemann;
 pub mod shear;
 pub mod sine_wave;
 pub mod smooth_field;
+pub mod solitary_wave;
 pub mod taylor_green;

@@ -59,6 +59,22 @@ pub fn reconstruct<const D: usize, const F: usize>(
     result
 }
 
+/// The same fit at one place, to all points nearer than a cell along each axis; no face is periodic here. Not a number
+/// where no point is near.
+pub fn at<const D: usize, const F: usize>(
+    place: [f64; D],
+    spacing: [f64; D],
+    positions: &[[f64; D]],
+    fields: &[[f64; F]],
+) -> [f64; F] {
+    let near = positions.iter().enumerate().map(|(point, position)| {
+        let offset: [f64; D] =
+            std::array::from_fn(|axis| (position[axis] - place[axis]) / spacing[axis]);
+        (offset, offset.iter().map(|&r| cubic_spline(r)).product(), point)
+    });
+    fit(&near.filter(|&(_, weight, _)| weight > 0.0).collect::<Vec<_>>(), fields).values()
+}
+
 /// w(r) = 2/3 − 4r² + 4r³ for |r| ≤ ½, 4/3 (1 − |r|)³ for |r| ≤ 1, else 0.
 fn cubic_spline(r: f64) -> f64 {
     let r = r.abs();

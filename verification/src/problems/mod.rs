@@ -4,9 +4,16 @@
 //! [`crate::benchmark`] runs methods on it, the one in [`crate::work_precision`] adds what they cost.
 
 pub mod advected_wave;
+pub mod cavity;
+pub mod drop;
+pub mod gravity_wave;
+pub mod gresho;
+pub mod hydrostatic_tank;
+pub mod loaded_column;
 pub mod poiseuille;
 pub mod pressure_pulse;
 pub mod riemann_tube;
+pub mod solitary_wave;
 pub mod taylor_green;
 
 use serde::{Deserialize, Serialize};
