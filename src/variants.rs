@@ -19,6 +19,11 @@ pub use parts::{Fields, Kernel, Parts, TransferKind};
 const FBAR: f64 = 0.99;
 /// δ of the density diffusion, as is usual in δ-SPH, \[Antuono2010\].
 const DIFFUSION: f64 = 0.1;
+/// θ and Λ of limited fits, ADR 0010.
+const POSITIVITY: f64 = 0.8;
+const LEVERAGE: f64 = 16.0;
+/// The filter of what the nodes do not see.
+const FILTER: Projection = Projection { kind: ProjectionKind::All, order: 3, interval: 8 };
 /// Stretch in cells at which a point is split.
 const SPLIT: f64 = 1.5;
 
@@ -36,6 +41,16 @@ fn split_by_stretch(settings: &mut Settings) {
 fn shift_by_overfill(settings: &mut Settings) {
     let rearrangement = settings.rearrangement.get_or_insert_default();
     rearrangement.overfill = Some(Overfill { interval: 1 });
+}
+
+/// Limited fits, one sample per cut cell, fractures filled with donated mass, and points pushed apart.
+fn keep_even(settings: &mut Settings) {
+    settings.positivity = Some(POSITIVITY);
+    settings.leverage = Some(LEVERAGE);
+    settings.point_volume = PointVolume::CellCenter;
+    let rearrangement = settings.rearrangement.get_or_insert_default();
+    rearrangement.fill = Some(Fill { points: FillPoints::Center, mass: FillMass::Donated });
+    rearrangement.shift = Some(Shift { strength: 0.1, interval: 10 });
 }
 
 /// Defines the variants: one entry each, in the order of tables and legends.
@@ -243,7 +258,7 @@ variants! {
 
     /// `tpm-vp2` with a projection of the velocity in every eighth step.
     TpmVpFmpm = "tpm-vp2-fmpm", "`tpm-vp2`, the null space filtered by FMPM(3) in every 8th step [Nairn2021]",
-        [Linear, TransportPoints, Flip, QUADRATIC], |s| s.projection = Some(Projection { kind: ProjectionKind::All, order: 3, interval: 8 });
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| s.projection = Some(FILTER);
 
     /// `tpm-vp2` with diffusion of density between cells.
     TpmVpDiffusion = "tpm-vp2-diffusion", "`tpm-vp2`, density diffused between full cells [Antuono2010]",
@@ -252,6 +267,17 @@ variants! {
     /// Quadratic B-spline MPM, FLIP, points pushed out of overfull nodes.
     Bspline2Overfill = "bspline2-overfill", "quadratic B-spline MPM, FLIP, points shifted where nodes are overfull [Baumgarten2023]",
         [QuadraticBspline, Carried, Flip, STANDARD], |s| shift_by_overfill(s);
+
+    /// `tpm-vp2` whose points are kept even.
+    TpmVpEven = "tpm-vp2-even", "`tpm-vp2`, fits limited, fractures filled, points pushed apart in every 10th step [Song2020]",
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| keep_even(s);
+
+    /// Cell-adjoint transport points: `tpm-vp2-even` with the filter of `tpm-vp2-fmpm`.
+    CellAdjoint = "catp", "`tpm-vp2-even`, the null space filtered by FMPM(3) in every 8th step [Nairn2021]",
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| {
+            keep_even(s);
+            s.projection = Some(FILTER);
+        };
 }
 
 impl Variant {
