@@ -156,13 +156,14 @@ mod tests {
         }
     }
 
-    /// ω rises to √(g k tanh kH); at c = 10 √(gH) it is 0.2 % below.
+    /// ω rises to √(g k tanh kH); at c = 10 √(gH) it is 0.04 % below: elasticity takes 0.19 % off, stratification gives
+    /// 0.15 % back.
     #[test]
     fn a_stiff_liquid_has_the_frequency_of_an_incompressible_one() {
         let stiff = GravityWave { sound_speed: 2e4, ..WAVE };
         assert!((stiff.frequency() / WAVE.incompressible_frequency() - 1.0).abs() < 1e-8);
         let ratio = WAVE.frequency() / WAVE.incompressible_frequency();
-        assert!((0.997..0.999).contains(&ratio), "{ratio}");
+        assert!((0.9995..0.9997).contains(&ratio), "{ratio}");
         let surface = WAVE.shape().velocity([0.0, 0.5])[1];
         assert!((surface / (WAVE.amplitude * WAVE.frequency()) - 1.0).abs() < 1e-14);
     }

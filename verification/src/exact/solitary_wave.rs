@@ -138,10 +138,10 @@ mod tests {
     fn its_crest_is_as_high_as_it_says_and_runs_as_waves_do() {
         let wave = SolitaryWave { depth: 2.0, height: 0.2, gravity: 9.81, density: 1000.0 };
         assert_eq!(wave.surface(0.0), 2.4);
-        assert!((wave.surface(60.0) - 2.0).abs() < 1e-9);
+        assert!((wave.surface(100.0) - 2.0).abs() < 1e-9);
         let first = (9.81_f64 * 2.4).sqrt();
         assert!((wave.celerity() / first - 1.0).abs() < 0.002, "{}", wave.celerity());
-        let rest = wave.pressure([60.0, 0.5]);
+        let rest = wave.pressure([100.0, 0.5]);
         assert!((rest / (1000.0 * 9.81 * 1.5) - 1.0).abs() < 1e-9, "{rest}");
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! L = 1 m, half a wavelength; H = 0.5 m, a k = 0.02, c₀ = 10 √(gH). The points fill whole cells at the start, at the
 //! density of the liquid at rest, with the velocity of the wave as it passes the flat surface. The answer is that of
-//! [`GravityWave`], linear and exact in g H/c₀²: without compressibility the frequency would be 0.2 % higher. What it
+//! [`GravityWave`], linear and exact in g H/c₀²: without compressibility the frequency would be 0.04 % higher. What it
 //! leaves out is of order (a k)² = 4·10⁻⁴.
 //!
 //! With the velocity u of the mode at t = 0 as the shape, the amplitude found and the numerical viscosity are
