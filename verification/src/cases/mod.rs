@@ -12,6 +12,7 @@ pub mod errors;
 pub mod fluid_cells;
 pub mod free_overfall;
 pub mod free_surface;
+pub mod hard_cases;
 pub mod jet_on_plate;
 pub mod lattice;
 pub mod march;
@@ -27,7 +28,7 @@ pub mod spectral;
 use crate::case::Case;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 16] = [
+pub static ALL: [&dyn Case; 17] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -44,4 +45,5 @@ pub static ALL: [&dyn Case; 16] = [
     &rivals::Rivals,
     &operators::Operators,
     &spectral::Spectral,
+    &hard_cases::HardCases,
 ];
