@@ -1,9 +1,9 @@
 //! Case `hard-cases`: what is known to break particle methods on a grid, and which variant breaks where.
 //!
-//! Sixteen hard cases, each with a criterion that was set before its first run; every variant of the library runs all of
-//! them. A hard case has a file below `hard_cases/`, where its set-up, its criterion and its reasons stand, and a
-//! paragraph in `docs/hard-cases.md`. The layout of a record is the name of its run, that of the hard case, but for
-//! `vortex`, by which `fracture`, `clumping` and `null-space` are judged.
+//! Sixteen hard cases, each with a criterion that was set before its first run; every variant of the library runs
+//! all of them. A hard case has a file below `hard_cases/`, where its set-up, its criterion and its reasons stand,
+//! and a paragraph in `docs/hard-cases.md`. The layout of a record is the name of its run, that of the hard case,
+//! but for `vortex`, by which `fracture`, `clumping` and `null-space` are judged.
 //!
 //! One policy for all: closed scenes with `Settings::default()`, scenes with a free surface with that of
 //! [`free_surface`](super::free_surface), carried fields then with the stress updated modified-last; what a variant

@@ -2,9 +2,9 @@
 //!
 //! Nothing should happen: a uniform pressure has no gradient. Where each point pushes with its own volume, the
 //! forces on a node are those of the points that happen to be about it, and a point that crosses a face of the
-//! linear hat changes sides at once \[Steffen2008\]. A periodic box of 8 by 8 cells with a regular lattice of 17 by 17
-//! points, off the cells by 0.13 and 0.29 of the points' spacing; p₀ = 10⁻³ ρ c²; all points move with U = 0.1 c along
-//! (1, 0.37) through 50 cells.
+//! linear hat changes sides at once \[Steffen2008\]. A periodic box of 8 by 8 cells with a regular lattice of 17 by
+//! 17 points, off the cells by 0.13 and 0.29 of the points' spacing; p₀ = 10⁻³ ρ c²; all points move with U = 0.1 c
+//! along (1, 0.37) through 50 cells.
 //!
 //! A lattice with a whole number of points per cell shows nothing: as many points leave a cell through one face as
 //! enter through the other at the same instant, and every method is exact to round-off.

@@ -4,12 +4,12 @@
 //! whether some disturbance grows, however slowly; see case `spectral`, whose steps and measures these are. Three
 //! kinds of layouts at the Courant number 0.5: `1d`, 12 periodic cells, points displaced by up to 0.9 of their
 //! spacing, 20 seeds; `2d`, 4 by 4 periodic cells, displaced by up to 0.5, 6 seeds, since a matrix costs a hundred
-//! times as much; `surface`, a floor and 10 cells of water below a free surface at every twentieth of a cell, displaced
-//! by up to 0.9, with the policy of free surfaces.
+//! times as much; `surface`, a floor and 10 cells of water below a free surface at every twentieth of a cell,
+//! displaced by up to 0.9, with the policy of free surfaces.
 //!
 //! The map is that of velocity and density. A method whose points carry an affine field besides needs that field,
-//! which an observation does not have: `apic` is put together from its types, others are not judged. Nor are methods that
-//! push points at rest out of overfull nodes, whose points do not stay.
+//! which an observation does not have: `apic` is put together from its types, others are not judged. Nor are methods
+//! that push points at rest out of overfull nodes, whose points do not stay.
 
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::variants::TransferKind;
@@ -32,8 +32,8 @@ const SEEDS_2D: u64 = 6;
 const SEED: u64 = 20_261_102;
 /// Rows of points below the surface, cells of the box with the surface.
 const SURFACE: (usize, usize) = (20, 14);
-/// Distance of the differences over that of `spectral`: kinks of second order, as those of volumes that are cut off or of
-/// lengths that are stretched, then count as little as round-off, 2·10⁻¹¹ at most.
+/// Distance of the differences over that of `spectral`: kinks of second order, as those of volumes that are cut off
+/// or of lengths that are stretched, then count as little as round-off, 2·10⁻¹¹ at most.
 const SHARE: f64 = 1.0 / 64.0;
 /// Growth per step that counts as none.
 const NEUTRAL: f64 = 1e-10;

@@ -1,16 +1,16 @@
 //! Hard case 15, `impact`: the blow of water on a wall.
 //!
 //! A peak of pressure is a matter of chance and of the time step; the impulse is what moves a wall. The dam break of
-//! case `dam-break` on cells of 60 mm with 2 x 2 points, pressure on the far wall at 60 mm, integrated over 1 of T from
-//! the instant at which the water has reached that height at the wall,
+//! case `dam-break` on cells of 60 mm with 2 x 2 points, pressure on the far wall at 60 mm, integrated over 1 of T
+//! from the instant at which the water has reached that height at the wall,
 //!
 //! ```text
 //! ∫ p/(ρ g h₀) dT
 //! ```
 //!
-//! beside that of the volume-of-fluid run on cells of 10 mm \[Roenby2016\], which begins where its own run-up does. The
-//! experiment \[Zhou1999\] has no probe at this height, and at 160 mm no inviscid computation in two dimensions lies on
-//! its plateau.
+//! beside that of the volume-of-fluid run on cells of 10 mm \[Roenby2016\], which begins where its own run-up does.
+//! The experiment \[Zhou1999\] has no probe at this height, and at 160 mm no inviscid computation in two dimensions
+//! lies on its plateau.
 
 use transpoint::Simulation;
 
@@ -36,7 +36,7 @@ const DURATION: f64 = 1.0;
 pub(super) const RUN: Run = Run {
     name: "impact",
     spacing: SPACING,
-    tier: Tier::Full,
+    tier: Tier::Paper,
     quantities: &["impulse-error", "impulse", "impulse-vof", "wetting", "wetting-vof"],
     execute,
 };

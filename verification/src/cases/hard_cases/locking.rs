@@ -1,10 +1,10 @@
 //! Hard case 10, `locking`: more points per cell that do not help.
 //!
-//! Each point of a cell asks for its own volume to stay; a linear hat has one divergence to give. Where the points of
-//! a cell lock each other, the flow depends on how many there are. The dam break of case `dam-break` on cells of
-//! 75 mm with 1, 2 x 2, 3 x 3 and 4 x 4 points per cell, to T = 0.8, before the water reaches the far wall. The front is
-//! half a point spacing ahead of the foremost point. `spread-without-1` leaves out the run with a single point per cell,
-//! which is the one that lags.
+//! Each point of a cell asks for its own volume to stay; a linear hat has one divergence to give. Where the points
+//! of a cell lock each other, the flow depends on how many there are. The dam break of case `dam-break` on cells of
+//! 75 mm with 1, 2 x 2, 3 x 3 and 4 x 4 points per cell, to T = 0.8, before the water reaches the far wall. The
+//! front is half a point spacing ahead of the foremost point. `spread-without-1` leaves out the run with a single
+//! point per cell, which is the one that lags.
 
 use super::list::{Goal, HardCase, Run};
 use super::trial::{Measured, Trial, march_until};

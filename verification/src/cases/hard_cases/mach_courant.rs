@@ -1,14 +1,14 @@
 //! Hard case 13, `mach-courant`: how large a step, and how small a Mach number.
 //!
-//! The limit of the time step is that of full cells for every method; not every method keeps it. And what departs from
-//! an incompressible flow has to fall with the square of the Mach number; where noise rules it falls with the first
-//! power or not at all.
+//! The limit of the time step is that of full cells for every method; not every method keeps it. And what departs
+//! from an incompressible flow has to fall with the square of the Mach number; where noise rules it falls with the
+//! first power or not at all.
 //!
-//! - Courant numbers 0.3, 0.6, 0.9 and 1.05: a sound wave of 10⁻⁴ c in a periodic box of 12 by 4 cells that moves with
-//!   0.1 c, points displaced by up to 0.3 of their spacing, 400 steps. It counts as stable if the velocity about the
-//!   mean never exceeds twice that at the start.
-//! - Mach numbers 0.05, 0.1, 0.2 and 0.3: the vortex of `fracture` without viscosity on 12 by 12 cells to t U/L = 0.5;
-//!   slope of the root mean square of ρ/ρ₀ − 1 against the Mach number, both as logarithms.
+//! - Courant numbers 0.3, 0.6, 0.9 and 1.05: a sound wave of 10⁻⁴ c in a periodic box of 12 by 4 cells that moves
+//!   with 0.1 c, points displaced by up to 0.3 of their spacing, 400 steps. It counts as stable if the velocity
+//!   about the mean never exceeds twice that at the start.
+//! - Mach numbers 0.05, 0.1, 0.2 and 0.3: the vortex of `fracture` without viscosity on 12 by 12 cells to t U/L =
+//!   0.5; slope of the root mean square of ρ/ρ₀ − 1 against the Mach number, both as logarithms.
 
 use std::f64::consts::TAU;
 

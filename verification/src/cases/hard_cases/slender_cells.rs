@@ -6,8 +6,8 @@
 //! - The standing wave of case `sine-wave` along x on 16 cells, 4 cells across it that are as wide, a quarter and an
 //!   eighth of that, points displaced by up to 0.3 of their spacing along each axis, to T/4: error of the points'
 //!   pressure over that on square cells.
-//! - A small dam break, 5 by 6 cells of 2 x 2 points, with gravity along −y and, x and y exchanged, along −x, 50 steps:
-//!   largest difference of the places over a cell.
+//! - A small dam break, 5 by 6 cells of 2 x 2 points, with gravity along −y and, x and y exchanged, along −x, 50
+//!   steps: largest difference of the places over a cell.
 
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::{Scene, Settings};

@@ -1,11 +1,11 @@
 //! Hard case 12, `small-cut`: a surface anywhere in a cell.
 //!
-//! Where the surface cuts off a sliver of a cell, mass and force enter its nodes by different rules, and a ratio of two
-//! small numbers moves what should be at rest. The column of case `column`, 32 cells and θ of another high, in
+//! Where the surface cuts off a sliver of a cell, mass and force enter its nodes by different rules, and a ratio of
+//! two small numbers moves what should be at rest. The column of case `column`, 32 cells and θ of another high, in
 //! equilibrium at the start, at 50 offsets θ over 10 H/c, with the policy of free surfaces.
 //!
-//! Sound sets the scale of what an imbalance at the surface moves, g h/c times a number of each method: 0.06 to 0.15 for
-//! the best. With c = 31.6 √(gH) the criterion asks for 0.1 on 32 cells; on 4 cells no method meets it.
+//! Sound sets the scale of what an imbalance at the surface moves, g h/c times a number of each method: 0.06 to 0.15
+//! for the best. With c = 31.6 √(gH) the criterion asks for 0.1 on 32 cells; on 4 cells no method meets it.
 
 use transpoint::Simulation;
 

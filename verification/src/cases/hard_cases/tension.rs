@@ -41,7 +41,7 @@ const TERMS: usize = 59;
 pub(super) const RUN: Run = Run {
     name: "tension",
     spacing: 1.0 / CELLS as f64,
-    tier: Tier::Full,
+    tier: Tier::Paper,
     quantities: &["fragments", "angular-momentum", "area"],
     execute,
 };

@@ -74,9 +74,13 @@ fn what_cannot_be_built_is_not_judged() {
 
 #[test]
 fn the_alternating_field_is_its_nodes_and_linear_between() {
-    for (place, value) in
-        [([0.0, 0.0], 1.0), ([1.0, 0.0], -1.0), ([1.0, 3.0], 1.0), ([0.5, 0.2], 0.0), ([0.25, 0.25], 0.25)]
-    {
+    for (place, value) in [
+        ([0.0, 0.0], 1.0),
+        ([1.0, 0.0], -1.0),
+        ([1.0, 3.0], 1.0),
+        ([0.5, 0.2], 0.0),
+        ([0.25, 0.25], 0.25),
+    ] {
         assert_eq!(checkerboard::field(place), value);
     }
     let simulation = Variant::Mpm
@@ -112,7 +116,8 @@ fn the_vortex_keeps_its_volume_and_its_gradient() {
 
 #[test]
 fn impulses_spreads_and_slopes_of_known_curves() {
-    let ramp: Vec<(f64, f64)> = (0..=30).map(|k| (0.1 * f64::from(k), 0.2 * f64::from(k))).collect();
+    let ramp: Vec<(f64, f64)> =
+        (0..=30).map(|k| (0.1 * f64::from(k), 0.2 * f64::from(k))).collect();
     // p = 2 T from 0.55 to 1.55.
     assert!((impact::impulse(&ramp, 0.55) - 2.1).abs() < 1e-12);
     assert!(impact::impulse(&ramp, 2.5).is_nan() && impact::impulse(&ramp, f64::NAN).is_nan());

@@ -2,8 +2,8 @@
 //!
 //! A flow pulls points apart along some directions and together along others. Cells run empty though the fluid
 //! fills them; points gather in lines, and count too much where they are; and the points' velocities take up what
-//! no field on the grid holds, for nothing there opposes it \[Gritton2017\]. The Taylor-Green vortex \[TaylorGreen1937\] in a closed
-//! box,
+//! no field on the grid holds, for nothing there opposes it \[Gritton2017\]. The Taylor-Green vortex
+//! \[TaylorGreen1937\] in a closed box,
 //!
 //! ```text
 //! u = U sin(πx/L) cos(πy/L) e^{−2π²νt/L²},   v = −U cos(πx/L) sin(πy/L) e^{−2π²νt/L²}
@@ -11,13 +11,13 @@
 //! ```
 //!
 //! which slip walls do not disturb, on 32 by 32 cells of 2 x 2 points, to t U/L = 2. Fractures are filled with mass
-//! of the neighbours where points carry no mass of their own, as in `rivals`; what a variant fixes goes with it. The limiters of
-//! moving least squares are on, as in all cases whose points leave their lattice: without, every `tpm` fits a line of
-//! points along a wall and bursts within t U/L = 0.2.
+//! of the neighbours where points carry no mass of their own, as in `rivals`; what a variant fixes goes with it. The
+//! limiters of moving least squares are on, as in all cases whose points leave their lattice: without, every `tpm`
+//! fits a line of points along a wall and bursts within t U/L = 0.2.
 //!
-//! Points that follow the exact flow leave 28 cells empty, put at most 3.75 times as many into one, and come as near as
-//! 0.074 of their spacing: fracture and clumping are no error of a method but of having points, and what passes has
-//! rearranged them, or has not followed the flow.
+//! Points that follow the exact flow leave 28 cells empty, put at most 3.75 times as many into one, and come as near
+//! as 0.074 of their spacing: fracture and clumping are no error of a method but of having points, and what passes
+//! has rearranged them, or has not followed the flow.
 
 use std::f64::consts::PI;
 
@@ -48,7 +48,7 @@ const POINTS: f64 = 4.0;
 pub(super) const RUN: Run = Run {
     name: "vortex",
     spacing: 1.0 / CELLS as f64,
-    tier: Tier::Full,
+    tier: Tier::Paper,
     quantities: &[
         "empty-cells",
         "volume-error",
