@@ -58,7 +58,8 @@ fn first_above(heights: &[(f64, f64)], least: f64) -> Option<f64> {
 /// ∫ p dT by the trapezium rule from `start` over [`DURATION`]; not a number where the record ends before.
 pub(super) fn impulse(pressures: &[(f64, f64)], start: f64) -> f64 {
     let end = start + DURATION;
-    if pressures.last().is_none_or(|(time, _)| *time < end) {
+    // Also where there is no start.
+    if !pressures.last().is_some_and(|(time, _)| *time >= end) {
         return f64::NAN;
     }
     let mut sum = 0.0;
