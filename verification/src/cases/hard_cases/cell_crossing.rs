@@ -73,7 +73,7 @@ fn scene() -> Scene<2> {
 }
 
 fn execute(trial: &Trial<'_>) -> Measured {
-    let mut simulation = trial.plane(&scene(), &trial.closed())?;
+    let mut simulation = trial.plane(&scene(), &Trial::closed())?;
     let dt = simulation.stable_dt(COURANT).dt;
     let steps = (DISTANCE / SPEED / dt).ceil() as u64;
     let (mut error, mut noise) = (0.0, 0.0);

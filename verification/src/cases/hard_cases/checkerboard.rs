@@ -89,7 +89,7 @@ pub(super) fn scene(jitter: f64) -> Scene<2> {
 
 /// Largest amplitude over the last steps, and excess of kinetic energy over all.
 fn on(trial: &Trial<'_>, jitter: f64) -> Result<[f64; 2], Outcome> {
-    let mut simulation = trial.plane(&scene(jitter), &trial.closed())?;
+    let mut simulation = trial.plane(&scene(jitter), &Trial::closed())?;
     let dt = simulation.stable_dt(COURANT).dt;
     let start = simulation.conserved().kinetic_energy;
     let (mut last, mut most) = (0.0, f64::NEG_INFINITY);

@@ -57,7 +57,7 @@ pub(super) const CASE: HardCase = HardCase {
 };
 
 fn execute(trial: &Trial<'_>) -> Measured {
-    let settings = trial.closed();
+    let settings = Trial::closed();
     let line = |scene: &Scene<1>, settings: &Settings| trial.builder.line(scene, settings);
     let plane = |scene: &Scene<2>, settings: &Settings| trial.builder.plane(scene, settings);
     let (mut in_1d, mut in_2d, mut below_surface) = (0.0, 0.0, 0.0);

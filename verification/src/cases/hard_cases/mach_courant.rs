@@ -90,7 +90,7 @@ fn disturbance(simulation: &dyn Simulation<2>) -> f64 {
 
 /// Largest disturbance over that at the start; infinite where the run bursts.
 fn growth(trial: &Trial<'_>, courant: f64) -> Result<f64, Outcome> {
-    let mut simulation = trial.plane(&wave(), &trial.closed())?;
+    let mut simulation = trial.plane(&wave(), &Trial::closed())?;
     let dt = simulation.stable_dt(courant).dt;
     let (start, mut most) = (disturbance(simulation.as_ref()), 0.0);
     let outcome = march(simulation.as_mut(), dt, STEPS, |step, state| {
@@ -104,7 +104,7 @@ fn growth(trial: &Trial<'_>, courant: f64) -> Result<f64, Outcome> {
 /// Root mean square of ρ/ρ₀ − 1 in the vortex at a Mach number.
 fn density(trial: &Trial<'_>, mach: f64) -> Result<f64, Outcome> {
     let scene = vortex::scene(VORTEX_CELLS, 1.0 / mach, None);
-    let mut simulation = trial.plane(&scene, &trial.flow())?;
+    let mut simulation = trial.plane(&scene, &Trial::flow())?;
     let dt = simulation.stable_dt(COURANT).dt;
     march(simulation.as_mut(), dt, (END / dt).ceil() as u64, |_, _| ())?;
     let (mut sum, mut n) = (0.0, 0.0);

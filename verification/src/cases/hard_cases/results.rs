@@ -39,9 +39,9 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
 
 /// The atlas and what belongs to it.
 pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
-    let has = |variant: &&str| records.iter().any(|record| record.spec.variant == **variant);
+    let has = |variant: &str| records.iter().any(|record| record.spec.variant == variant);
     let names = Variant::ALL.map(Variant::name);
-    let variants: Vec<&str> = names.iter().copied().filter(|variant| has(&variant)).collect();
+    let variants: Vec<&str> = names.iter().copied().filter(|variant| has(variant)).collect();
     let table = |stem, title, table| artifact(stem, title, Content::Table(table));
     vec![
         table("hard_cases_passed", "Hard cases passed", passed(records, &variants)),
@@ -86,7 +86,7 @@ fn blowups(records: &[RunRecord], variants: &[&str]) -> Table {
                 rows.push(vec![
                     Cell::from(case.name),
                     Cell::from(*variant),
-                    Cell::Count(step),
+                    Cell::Count(step + 1),
                     Cell::Text(digits(time)),
                     Cell::Text(reason),
                 ]);

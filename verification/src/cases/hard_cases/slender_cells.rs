@@ -75,7 +75,7 @@ fn error(trial: &Trial<'_>, ratio: f64) -> Result<f64, Outcome> {
         },
         lattice::positions(1.0, CELLS, JITTER, SEED).into_iter().map(point).collect(),
     );
-    let mut simulation = trial.plane(&scene, &trial.closed())?;
+    let mut simulation = trial.plane(&scene, &Trial::closed())?;
     let end = 0.25 * WAVE.period();
     let steps = (end / simulation.stable_dt(COURANT).dt).ceil();
     march(simulation.as_mut(), end / steps, steps as u64, |_, _| ())?;

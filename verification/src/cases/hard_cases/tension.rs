@@ -17,6 +17,7 @@ use std::f64::consts::PI;
 
 use transpoint::Scene;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
+use transpoint::simulation::PointState;
 
 use super::list::{Goal, HardCase, Run};
 use super::trial::{Measured, Trial, march_until};
@@ -98,7 +99,7 @@ fn execute(trial: &Trial<'_>) -> Measured {
     march_until(simulation.as_mut(), END, |_| ())?;
     let points = simulation.observe().points;
     let occupied: Vec<bool> = counts(&scene.grid, &points).iter().map(|&n| n > 0).collect();
-    let area: f64 = points.iter().map(|point| point.volume()).sum();
+    let area: f64 = points.iter().map(PointState::volume).sum();
     Ok(vec![
         fragments(scene.grid.cells, &occupied) as f64,
         (simulation.conserved().angular_momentum[2] / start - 1.0).abs(),

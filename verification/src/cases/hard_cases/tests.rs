@@ -137,7 +137,7 @@ fn verdicts_say_what_failed() {
     let reason = "density of point 7 at (0.1, 0.2) m: point 7 has density -1 kg/m³".to_owned();
     let burst = Outcome::BlownUp { step: 38, time: 0.1, reason };
     let cell = Verdict::of(case, &burst, &rows([f64::NAN; 3])).cell();
-    assert_eq!(cell, "✗ burst at step 38: density of point 7");
+    assert_eq!(cell, "✗ burst in step 39: density of point 7");
     let shown = [0.0, 3.24e-4, 0.123, 1.0, 12.34, 5000.0].map(digits);
     assert_eq!(shown, ["0", "3.2e-4", "0.12", "1", "12", "5.0e3"]);
 }

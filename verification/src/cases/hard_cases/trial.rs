@@ -69,7 +69,7 @@ impl Trial<'_> {
     }
 
     /// The policy of closed scenes.
-    pub(super) fn closed(&self) -> Settings {
+    pub(super) fn closed() -> Settings {
         Settings::default()
     }
 
@@ -90,7 +90,7 @@ impl Trial<'_> {
 
     /// The policy of closed scenes whose points leave their lattice for good: the limiters of free surfaces with FLIP
     /// alone, since a relaxation towards PIC would do as a viscosity and hide what is to be seen.
-    pub(super) fn flow(&self) -> Settings {
+    pub(super) fn flow() -> Settings {
         let limited = free_surface::settings(2, 1.0, 1.0, free_surface::RELAXATION);
         Settings { blend: Blend::PerStep(1.0), ..limited }
     }
@@ -115,7 +115,7 @@ pub(super) fn march<const D: usize>(
 ) -> Result<(), Outcome> {
     for step in 1..=steps {
         if let Err(error) = simulation.step(dt) {
-            return Err(burst(simulation, step, &error));
+            return Err(burst(simulation, step - 1, &error));
         }
         watch(step, simulation);
     }
@@ -135,10 +135,10 @@ pub(super) fn march_until<const D: usize>(
         if step % STEPS_PER_TIME_STEP == 0 {
             dt = simulation.stable_dt(COURANT).dt;
         }
-        step += 1;
         if let Err(error) = simulation.step(dt) {
             return Err(burst(simulation, step, &error));
         }
+        step += 1;
         if step > most {
             let reason =
                 format!("speed of points: {MOST_STEPS} times the steps of a fluid at rest");
@@ -163,15 +163,12 @@ fn burst<const D: usize>(simulation: &dyn Simulation<D>, step: u64, error: &Step
             place = Some(state.position);
         }
     });
-    let mut reason = field.to_owned();
-    if let Some(id) = point {
-        reason += &format!(" of point {id}");
-    }
-    if let Some(place) = place {
-        let place: Vec<_> = place.iter().map(|x| format!("{x:.3}")).collect();
-        reason += &format!(" at ({}) m", place.join(", "));
-    }
-    Outcome::BlownUp { step, time: simulation.time(), reason: format!("{reason}: {error}") }
+    let of = point.map_or_else(String::new, |id| format!(" of point {id}"));
+    let at = place.map_or_else(String::new, |place| {
+        let place = place.map(|x| format!("{x:.3}"));
+        format!(" at ({}) m", place.join(", "))
+    });
+    Outcome::BlownUp { step, time: simulation.time(), reason: format!("{field}{of}{at}: {error}") }
 }
 
 /// Slope of the least-squares line through pairs.

@@ -17,7 +17,7 @@ pub(super) enum Verdict {
     Pass(f64),
     /// A goal is not met: its quantity, if it is not the first one, and the number.
     Fail(Option<&'static str>, f64),
-    /// The run burst: completed steps and one, s, and the reason.
+    /// The run burst: completed steps, time, s, and the reason.
     Burst(u64, f64, String),
     /// The variant is not defined for it; the reason.
     None(String),
@@ -38,13 +38,13 @@ impl Verdict {
             let of = |row: &&Row| row.quantity == quantity && row.norm == NORM;
             rows.iter().find(of).map_or(f64::NAN, |row| row.value)
         };
-        let values = case.goals.iter().map(|goal| (goal, value(goal.quantity))).enumerate();
-        for (k, (goal, value)) in values.clone() {
+        for (k, goal) in case.goals.iter().enumerate() {
+            let value = value(goal.quantity);
             if !goal.is_met(value) {
                 return Self::Fail((k > 0).then_some(goal.quantity), value);
             }
         }
-        Self::Pass(values.map(|(_, (_, value))| value).next().unwrap_or(f64::NAN))
+        Self::Pass(case.goals.first().map_or(f64::NAN, |goal| value(goal.quantity)))
     }
 
     /// `pass`, `fail` or `none`.
@@ -64,7 +64,7 @@ impl Verdict {
             Self::Fail(Some(quantity), value) => format!("✗ {quantity} {}", digits(*value)),
             Self::Burst(step, _, reason) => {
                 let what = reason.split([':', '(']).next().unwrap_or(reason);
-                format!("✗ burst at step {step}: {}", what.trim_end_matches(" at ").trim())
+                format!("✗ burst in step {}: {}", step + 1, what.trim_end_matches(" at ").trim())
             }
             Self::None(_) => "–".to_owned(),
         }

@@ -123,7 +123,7 @@ pub(super) fn filled(trial: &Trial<'_>, settings: Settings) -> Settings {
 
 fn execute(trial: &Trial<'_>) -> Measured {
     let scene = scene(CELLS, SOUND_SPEED, Some(1.0 / REYNOLDS));
-    let mut simulation = trial.plane(&scene, &filled(trial, trial.flow()))?;
+    let mut simulation = trial.plane(&scene, &filled(trial, Trial::flow()))?;
     let dt = simulation.stable_dt(COURANT).dt;
     march(simulation.as_mut(), dt, (END / dt).ceil() as u64, |_, _| ())?;
     Ok(measure(&scene, simulation.as_ref()))

@@ -105,7 +105,7 @@ fn scene(cells: usize, jitter: f64, seed: u64) -> Scene<1> {
 
 /// Error of the points' pressure at T/4, relative.
 fn error(trial: &Trial<'_>, cells: usize, jitter: f64, seed: u64) -> Result<f64, Outcome> {
-    let mut simulation = trial.line(&scene(cells, jitter, seed), &trial.closed())?;
+    let mut simulation = trial.line(&scene(cells, jitter, seed), &Trial::closed())?;
     let end = 0.25 * WAVE.period();
     let steps = (end / simulation.stable_dt(COURANT).dt).ceil();
     march(simulation.as_mut(), end / steps, steps as u64, |_, _| ())?;
@@ -144,7 +144,7 @@ fn state(points: &[PointState<1>]) -> State {
 
 /// Mean energy of each period.
 fn energies(trial: &Trial<'_>, seed: u64) -> Result<Vec<f64>, Outcome> {
-    let settings = trial.closed();
+    let settings = Trial::closed();
     let scene = scene(LONG_CELLS, lattice::JITTER, seed);
     let mut simulation = trial.line(&scene, &settings)?;
     let per_period = (WAVE.period() / simulation.stable_dt(COURANT).dt).ceil() as usize;

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use nalgebra::DVector;
-use transpoint::{InvalidInput, Scene, Settings, Simulation, Variant};
+use transpoint::{Scene, Settings, Variant};
 
-use super::step::{Step, scene};
+use super::step::{Built, Step, scene};
 use super::{DEFECTIVE, LINEAR, NEUTRAL, Parameters, SEED};
 use crate::case::{Findings, Outcome, Row};
 use crate::measure::spectral::{Spectrum, jacobian, spectrum};
@@ -35,7 +35,7 @@ pub(super) fn missing_rows(parameters: &Parameters) -> Vec<Row> {
 pub(super) fn measure<const D: usize>(
     variant: Variant,
     parameters: &Parameters,
-    build: fn(Variant, &Scene<D>, &Settings) -> Result<Box<dyn Simulation<D>>, InvalidInput>,
+    build: fn(Variant, &Scene<D>, &Settings) -> Built<D>,
     progress: &Progress,
 ) -> Result<Findings, String> {
     let start = Instant::now();
@@ -105,7 +105,9 @@ pub(in crate::cases) fn of_one_step<const D: usize>(
             *near = base + share * (state - base);
         }
         step.advance(&near, after)?;
-        after.iter_mut().for_each(|value| *value /= share);
+        for value in after.iter_mut() {
+            *value /= share;
+        }
         Ok::<(), String>(())
     })?;
     let uniform = DVector::from_fn(base.len(), |k, _| if k % width == 0 { 1.0 } else { 0.0 });

@@ -12,9 +12,11 @@ use transpoint::shape::QuadraticBspline;
 use transpoint::transfer::Apic;
 use transpoint::{InvalidInput, Scene, Settings, Simulation, Solver, Variant};
 
+/// What comes of building.
+pub(super) type Built<const D: usize> = Result<Box<dyn Simulation<D>>, InvalidInput>;
+
 /// Builds a simulation in a fixed dimension.
-pub(in crate::cases) type Build<'a, const D: usize> =
-    &'a dyn Fn(&Scene<D>, &Settings) -> Result<Box<dyn Simulation<D>>, InvalidInput>;
+pub(in crate::cases) type Build<'a, const D: usize> = &'a dyn Fn(&Scene<D>, &Settings) -> Built<D>;
 
 /// One step of a method on given points.
 pub(in crate::cases) struct Step<'a, const D: usize> {
