@@ -187,6 +187,20 @@ impl Case for Column {
     }
 }
 
+/// A column at rest of n = `cells` full cells and θ of another, its height in m and its speed of sound in m/s.
+pub(super) fn at_rest(cells: usize, theta: f64) -> (transpoint::Scene<2>, f64, f64) {
+    let parameters = Parameters {
+        study: Study::Hydrostatic,
+        cells,
+        offsets: 1,
+        courant: COURANT,
+        duration: DURATION,
+        settings: Settings::default(),
+    };
+    let setup = scene::Setup::new(&parameters, theta);
+    (setup.scene(&parameters), setup.height, setup.sound_speed)
+}
+
 fn spec(variant: Variant, volume: &str, parameters: &Parameters) -> RunSpec {
     let labels = [("study", parameters.study.name()), ("volume", volume)];
     RunSpec {

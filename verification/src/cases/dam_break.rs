@@ -50,7 +50,9 @@ use crate::record::RunRecord;
 use crate::report::Artifact;
 use march::Recording;
 use policy::{RUNS, Run, VARIANTS};
+pub(super) use probe::{PLACES, Wall};
 use scene::Shape;
+pub(super) use scene::{SOUND_SPEED, scaled_time};
 
 /// Everything that a run of this case depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -149,6 +151,19 @@ impl Case for DamBreak {
 /// The run of a variant in the case `rivals`.
 pub(super) fn rival(variant: Variant) -> RunSpec {
     spec(&policy::rival(variant, variant.parts().fields == Fields::Carried))
+}
+
+/// The tank with its column in the plane, on cells of `spacing` m.
+pub(super) fn tank(spacing: f64, points_per_axis: usize) -> transpoint::Scene<2> {
+    scene::scene(&Parameters {
+        variant: Variant::Tpm,
+        shape: Shape::Plane,
+        spacing,
+        points_per_axis,
+        end: 0.0,
+        frames: false,
+        settings: Settings::default(),
+    })
 }
 
 fn spec(run: &Run) -> RunSpec {

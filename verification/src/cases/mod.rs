@@ -12,6 +12,7 @@ pub mod errors;
 pub mod fluid_cells;
 pub mod free_overfall;
 pub mod free_surface;
+pub mod hard_cases;
 pub mod jet_on_plate;
 pub mod lattice;
 pub mod march;
@@ -29,7 +30,7 @@ use crate::case::Case;
 use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 31] = [
+pub static ALL: [&dyn Case; 32] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -61,4 +62,5 @@ pub static ALL: [&dyn Case; 31] = [
     &Ingredients,
     &operators::Operators,
     &spectral::Spectral,
+    &hard_cases::HardCases,
 ];

@@ -47,7 +47,9 @@ use crate::judge::Check;
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
+pub(super) use growth::of_one_step;
 use growth::{measure, missing_rows};
+pub(super) use step::{Step, scene as full_box};
 
 /// Courant numbers c Δt √D / h.
 const COURANTS: [f64; 7] = [0.03, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];

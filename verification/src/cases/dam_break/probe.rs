@@ -6,7 +6,7 @@ use transpoint::simulation::PointState;
 use super::scene::{UP, pressure_scale};
 
 /// Places of the pressure, in the order of [`Wall::pressures`].
-pub(super) const PLACES: [&str; 5] = ["160mm", "120mm", "60mm", "20mm", "disc"];
+pub(in crate::cases) const PLACES: [&str; 5] = ["160mm", "120mm", "60mm", "20mm", "disc"];
 /// Heights of the first four, m; the first is Q.
 const HEIGHTS: [f64; 4] = [0.16, 0.12, 0.06, 0.02];
 /// Radius of the transducer about Q, m.
@@ -16,7 +16,7 @@ const CHORDS: usize = 16;
 
 /// Means over the points in the last column of cells, about each height with a hat as wide as two cells.
 #[derive(Clone, Debug)]
-pub(super) struct Wall {
+pub(in crate::cases) struct Wall {
     /// Where the last column begins, m.
     begin: f64,
     spacing: f64,
@@ -27,7 +27,7 @@ pub(super) struct Wall {
 
 impl Wall {
     /// The far wall of a grid, without points yet.
-    pub(super) fn new<const D: usize>(grid: &GridSpec<D>) -> Self {
+    pub(in crate::cases) fn new<const D: usize>(grid: &GridSpec<D>) -> Self {
         let spacing = grid.spacing[0];
         let height = |k: usize| match k.checked_sub(HEIGHTS.len()) {
             None => HEIGHTS[k],
@@ -42,7 +42,7 @@ impl Wall {
     }
 
     /// Takes a point into account if it is at the wall.
-    pub(super) fn add<const D: usize>(&mut self, point: &PointState<D>) {
+    pub(in crate::cases) fn add<const D: usize>(&mut self, point: &PointState<D>) {
         if point.position[0] < self.begin {
             return;
         }
@@ -66,7 +66,7 @@ impl Wall {
     ///
     /// The mean over the disc weighs each height with its chord, by the Chebyshev-Gauss rule of the
     /// second kind, which is exact for profiles of degree 31.
-    pub(super) fn pressures(&self) -> [f64; PLACES.len()] {
+    pub(in crate::cases) fn pressures(&self) -> [f64; PLACES.len()] {
         let mean = |&(_, sum, weights): &(f64, f64, f64)| {
             if weights > 0.0 { sum / weights / pressure_scale() } else { 0.0 }
         };

@@ -20,7 +20,7 @@ pub(super) const GRAVITY: f64 = 9.8;
 /// ρ₀, kg/m³.
 pub(super) const DENSITY: f64 = 1000.0;
 /// c₀, m/s.
-pub(super) const SOUND_SPEED: f64 = 50.0;
+pub(in crate::cases) const SOUND_SPEED: f64 = 50.0;
 /// Least pressure, Pa.
 const MINIMUM_PRESSURE: f64 = -5000.0;
 /// The axis that points up.
@@ -54,7 +54,7 @@ pub(super) const fn pressure_scale() -> f64 {
 }
 
 /// T = t √(h₀ g)/l₀ at a time t in s.
-pub(super) fn scaled_time(time: f64) -> f64 {
+pub(in crate::cases) fn scaled_time(time: f64) -> f64 {
     crate::reference::dam_break::scaled_time(time, GRAVITY, COLUMN[0], COLUMN[1])
 }
 

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use nalgebra::DVector;
-use transpoint::Variant;
+use transpoint::{Scene, Settings, Variant};
 
-use super::step::{Build, Step, scene};
+use super::step::{Built, Step, scene};
 use super::{DEFECTIVE, LINEAR, NEUTRAL, Parameters, SEED};
 use crate::case::{Findings, Outcome, Row};
 use crate::measure::spectral::{Spectrum, jacobian, spectrum};
@@ -35,7 +35,7 @@ pub(super) fn missing_rows(parameters: &Parameters) -> Vec<Row> {
 pub(super) fn measure<const D: usize>(
     variant: Variant,
     parameters: &Parameters,
-    build: Build<D>,
+    build: fn(Variant, &Scene<D>, &Settings) -> Built<D>,
     progress: &Progress,
 ) -> Result<Findings, String> {
     let start = Instant::now();
@@ -48,11 +48,11 @@ pub(super) fn measure<const D: usize>(
             let step = Step {
                 variant,
                 settings: &parameters.settings,
-                build,
+                build: &|scene, settings| build(variant, scene, settings),
                 scene: scene::<D>(parameters.cells, parameters.jitter, SEED + seed),
                 dt: courant / (D as f64).sqrt(),
             };
-            let (found, drift) = of_one_step(step)?;
+            let (found, drift) = of_one_step(step, 1.0)?;
             growth = growth.max(found.growth());
             doubling = doubling.max(found.doubling);
             translation = translation.max(drift);
@@ -91,11 +91,25 @@ fn reported(growth: f64, doubling: f64) -> f64 {
     if growth <= NEUTRAL || defective { decade_above(growth.max(1e-15)) } else { growth }
 }
 
-/// The spectrum of one step, and the largest change of a uniform velocity by it.
-fn of_one_step<const D: usize>(mut step: Step<'_, D>) -> Result<(Spectrum, f64), String> {
+/// The spectrum of one step, and the largest change of a uniform velocity by it. Differences are taken at
+/// `share` of their usual distance, a power of two.
+pub(in crate::cases) fn of_one_step<const D: usize>(
+    mut step: Step<'_, D>,
+    share: f64,
+) -> Result<(Spectrum, f64), String> {
     let base = step.base();
     let width = step.width();
-    let matrix = jacobian(&base, |state, after| step.advance(state, after))?;
+    let mut near = base.clone();
+    let matrix = jacobian(&base, |state, after| {
+        for ((near, base), state) in near.iter_mut().zip(&base).zip(state) {
+            *near = base + share * (state - base);
+        }
+        step.advance(&near, after)?;
+        for value in after.iter_mut() {
+            *value /= share;
+        }
+        Ok::<(), String>(())
+    })?;
     let uniform = DVector::from_fn(base.len(), |k, _| if k % width == 0 { 1.0 } else { 0.0 });
     let drift = (&matrix * &uniform - &uniform).amax();
     Ok((spectrum(&matrix), drift))

@@ -12,17 +12,19 @@ use transpoint::shape::QuadraticBspline;
 use transpoint::transfer::Apic;
 use transpoint::{InvalidInput, Scene, Settings, Simulation, Solver, Variant};
 
-/// Builds a simulation of a variant in a fixed dimension.
-pub(super) type Build<const D: usize> =
-    fn(Variant, &Scene<D>, &Settings) -> Result<Box<dyn Simulation<D>>, InvalidInput>;
+/// What comes of building.
+pub(super) type Built<const D: usize> = Result<Box<dyn Simulation<D>>, InvalidInput>;
+
+/// Builds a simulation in a fixed dimension.
+pub(in crate::cases) type Build<'a, const D: usize> = &'a dyn Fn(&Scene<D>, &Settings) -> Built<D>;
 
 /// One step of a method on given points.
-pub(super) struct Step<'a, const D: usize> {
-    pub(super) variant: Variant,
-    pub(super) settings: &'a Settings,
-    pub(super) build: Build<D>,
-    pub(super) scene: Scene<D>,
-    pub(super) dt: f64,
+pub(in crate::cases) struct Step<'a, const D: usize> {
+    pub(in crate::cases) variant: Variant,
+    pub(in crate::cases) settings: &'a Settings,
+    pub(in crate::cases) build: Build<'a, D>,
+    pub(in crate::cases) scene: Scene<D>,
+    pub(in crate::cases) dt: f64,
 }
 
 impl<const D: usize> Step<'_, D> {
@@ -53,8 +55,8 @@ impl<const D: usize> Step<'_, D> {
     }
 
     fn plain_step(&self, after: &mut [f64]) -> Result<(), String> {
-        let mut simulation = (self.build)(self.variant, &self.scene, self.settings)
-            .map_err(|error| error.to_string())?;
+        let mut simulation =
+            (self.build)(&self.scene, self.settings).map_err(|error| error.to_string())?;
         simulation.step(self.dt).map_err(|error| error.to_string())?;
         let width = self.width();
         simulation.visit_points(&mut |point| {
@@ -96,7 +98,7 @@ impl<const D: usize> Step<'_, D> {
 /// by up to `jitter` point spacings along each axis; unit density and speed of sound.
 ///
 /// Layouts with an empty cell are drawn again, so that every cell is full of fluid.
-pub(super) fn scene<const D: usize>(cells: usize, jitter: f64, seed: u64) -> Scene<D> {
+pub(in crate::cases) fn scene<const D: usize>(cells: usize, jitter: f64, seed: u64) -> Scene<D> {
     let mut random = Pcg64::seed_from_u64(seed);
     let positions = loop {
         let positions = positions::<D>(cells, jitter, &mut random);

@@ -28,7 +28,7 @@ fn determinant_of_linear_mpm_is_the_known_one() {
         let mut step = Step {
             variant: Variant::Mpm,
             settings: &settings,
-            build: Variant::build_1d,
+            build: &|scene, settings| Variant::Mpm.build_1d(scene, settings),
             scene: centered(),
             dt: courant,
         };
@@ -50,7 +50,7 @@ fn affine_step_is_the_variant() {
     let mut step = Step {
         variant: Variant::Apic,
         settings: &settings,
-        build: Variant::build_2d,
+        build: &|scene, settings| Variant::Apic.build_2d(scene, settings),
         scene: scene::<2>(4, 0.5, 3),
         dt: 0.3,
     };
