@@ -9,10 +9,10 @@
 //!
 //! The map is that of velocity and density. A method whose points carry an affine field besides needs that field,
 //! which an observation does not have: `apic` is put together from its types, others are not judged. Nor are methods
-//! that push points at rest out of overfull nodes, whose points do not stay.
+//! that rearrange points at rest, which then do not stay or are not the same.
 
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
-use transpoint::variants::TransferKind;
+use transpoint::variants::{Rearrangement, TransferKind};
 use transpoint::{Scene, Settings, Variant};
 
 use super::list::{Goal, HardCase, Run};
@@ -90,9 +90,10 @@ fn growth<const D: usize>(
     if !is_known {
         return Err(refused(&"the points' affine field is not observed"));
     }
-    let moves = trial.variant.settings(settings).rearrangement.and_then(|r| r.overfill);
-    if moves.is_some() {
-        return Err(refused(&"a step moves points that are at rest"));
+    // Points that are split are stretched first; all other rearrangement acts on points at rest.
+    let rearranged = trial.variant.settings(settings).rearrangement;
+    if rearranged.is_some_and(|r| Rearrangement { split: None, ..r } != Rearrangement::default()) {
+        return Err(refused(&"a step moves or adds points where all are at rest"));
     }
     let dt = COURANT / (D as f64).sqrt();
     let step = Step { variant: trial.variant, settings, build, scene, dt };
