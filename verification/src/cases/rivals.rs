@@ -7,7 +7,8 @@
 //! riemann     pressure jump on cells of 2 mm, jittered points, with bulk viscosity
 //! dam-break   column of water on cells of 40 mm, 2 x 2 points each, up to T = 2
 //! courant     noise in a periodic box, jittered points that stay in place: the largest stable Courant number,
-//!             to 0.1, by bisection with 1000 steps each
+//!             to 0.1, by bisection with 1000 steps each; in the full tier also with 1 and 3 points per axis, on a
+//!             lattice and displaced further
 //! channel     inflow into an empty channel on cells of 50 mm, points supplied by the flux, up to 2 s
 //! ```
 //!
@@ -18,6 +19,7 @@
 
 mod courant;
 mod results;
+mod stability;
 #[cfg(test)]
 mod tests;
 
@@ -102,7 +104,7 @@ impl Case for Rivals {
             .to_owned()
     }
 
-    fn runs(&self, _tier: Tier) -> Vec<RunSpec> {
+    fn runs(&self, tier: Tier) -> Vec<RunSpec> {
         let mut runs = Vec::new();
         for scene in &SCENES {
             for variant in Variant::ALL {
@@ -116,6 +118,9 @@ impl Case for Rivals {
             }
         }
         runs.extend(Variant::ALL.map(courant::spec));
+        if tier == Tier::Full {
+            runs.extend(Variant::ALL.into_iter().flat_map(courant::map));
+        }
         runs
     }
 

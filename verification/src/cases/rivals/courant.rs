@@ -10,6 +10,7 @@ use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::{Scene, Settings, Simulation, Variant};
 
 use crate::case::{Findings, Outcome, Row, RunSpec};
+use crate::cases::free_surface;
 use crate::cases::lattice::{self, JITTER, LAYOUTS};
 use crate::progress::Progress;
 
@@ -33,20 +34,42 @@ const SEED: u64 = 20_200_911;
 #[serde(deny_unknown_fields)]
 struct Parameters {
     variant: Variant,
+    points_per_axis: usize,
     jitter: f64,
     steps: u64,
     settings: Settings,
 }
 
+/// Points per cell and axis, and displacements in point spacings, of the map of stability.
+pub(super) const MAP: ([usize; 3], [f64; 3]) = ([1, 2, 3], [0.0, JITTER, 0.45]);
+
+/// Name of a layout of the map, in labels.
+pub(super) fn layout(points_per_axis: usize, jitter: f64) -> String {
+    format!("{points_per_axis}x{points_per_axis} ±{jitter}")
+}
+
 /// The run of a variant.
 pub(super) fn spec(variant: Variant) -> RunSpec {
-    let parameters =
-        Parameters { variant, jitter: JITTER, steps: STEPS, settings: Settings::default() };
+    of_layout(variant, 2, JITTER, LAYOUTS[1])
+}
+
+/// The runs of a variant for the map of stability, in order of points and then of displacements.
+pub(super) fn map(variant: Variant) -> Vec<RunSpec> {
+    let (points, jitters) = MAP;
+    let row = |points| {
+        jitters.map(move |jitter| of_layout(variant, points, jitter, &layout(points, jitter)))
+    };
+    points.into_iter().flat_map(row).collect()
+}
+
+fn of_layout(variant: Variant, points_per_axis: usize, jitter: f64, label: &str) -> RunSpec {
+    let settings = free_surface::printed(points_per_axis);
+    let parameters = Parameters { variant, points_per_axis, jitter, steps: STEPS, settings };
     RunSpec {
         case: "rivals".to_owned(),
         variant: variant.name().to_owned(),
         layout: super::COURANT.to_owned(),
-        labels: BTreeMap::from([("points".to_owned(), LAYOUTS[1].to_owned())]),
+        labels: BTreeMap::from([("points".to_owned(), label.to_owned())]),
         level: 0,
         spacing: 1.0,
         // Plain data of numbers and names always has a JSON form.
@@ -93,9 +116,10 @@ pub(super) fn execute(spec: &RunSpec, progress: &Progress) -> Findings {
 fn scene(parameters: &Parameters) -> Scene<2> {
     let mut random = Pcg64::seed_from_u64(SEED);
     let mut velocity = || AMPLITUDE * ((random.next_u64() >> 11) as f64 * 2f64.powi(-52) - 1.0);
-    let points = lattice::positions(1.0, [CELLS; 2], parameters.jitter, SEED)
+    let (count, spacing) = (parameters.points_per_axis, 1.0 / parameters.points_per_axis as f64);
+    let points = lattice::lattice([CELLS * count; 2], spacing, parameters.jitter, SEED)
         .into_iter()
-        .map(|position| PointSpec::new(position, [velocity(), velocity()], 1.0, 0.25))
+        .map(|position| PointSpec::new(position, [velocity(), velocity()], 1.0, spacing * spacing))
         .collect();
     Scene::new(
         GridSpec { origin: [0.0; 2], spacing: [1.0; 2], cells: [CELLS; 2] },
@@ -139,6 +163,7 @@ mod tests {
     fn small_steps_are_stable_and_large_ones_are_not() {
         let parameters = Parameters {
             variant: Variant::Bspline2,
+            points_per_axis: 2,
             jitter: JITTER,
             steps: 200,
             settings: Settings::default(),

@@ -1,15 +1,11 @@
 //! The matrix of variants and scenes.
 
 use transpoint::formulation::Formulation;
-use transpoint::shape::{
-    ConvectedGimp, Corrected, CubicBspline, DualDomain, Gimp, LeastSquares, Linear,
-    QuadraticBspline, Staggered,
-};
-use transpoint::time_step::worst_row_stiffness;
-use transpoint::variants::{Fields, Kernel, Parts};
+use transpoint::variants::{Kernel, Parts};
 use transpoint::{Settings, Variant};
 
-use super::SCENES;
+use super::stability::{bound, stability};
+use super::{SCENES, courant};
 use crate::case::Outcome;
 use crate::cases::errors::artifact;
 use crate::judge::Check;
@@ -80,6 +76,12 @@ fn record<'a>(records: &'a [RunRecord], variant: &str, scene: &str) -> Option<&'
     records.iter().filter(of).max_by_key(|record| record.spec.level)
 }
 
+/// The run for the largest stable Courant number on the layout that every tier has.
+fn usual<'a>(records: &'a [RunRecord], variant: &str) -> Option<&'a RunRecord> {
+    let layout = courant::spec(Variant::parse(variant).ok()?).labels;
+    records.iter().find(|record| record.spec.variant == variant && record.spec.labels == layout)
+}
+
 fn measured(goal: &Goal, record: &RunRecord) -> f64 {
     let Some(row) = record.row(goal.quantity, goal.norm) else { return f64::NAN };
     if goal.relative { row.value / row.scale } else { row.value }
@@ -148,16 +150,22 @@ pub(super) fn checks(records: &[RunRecord]) -> Vec<Check> {
     checks
 }
 
-/// The matrix and what the variants are made of.
+/// The matrix, what the variants are made of, and where they are stable, if that was mapped.
 pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
-    vec![
+    let mut artifacts = vec![
         artifact(
             "rivals_matrix",
             "Every variant on four scenes",
             Content::Table(matrix(records, policy)),
         ),
         artifact("rivals_parts", "What the variants are made of", Content::Table(parts(records))),
-    ]
+    ];
+    let map = stability(records);
+    if !map.rows.is_empty() {
+        let title = "Largest stable Courant numbers";
+        artifacts.push(artifact("rivals_courant_map", title, Content::Table(map)));
+    }
+    artifacts
 }
 
 fn matrix(records: &[RunRecord], policy: &str) -> Table {
@@ -211,7 +219,7 @@ fn parts(records: &[RunRecord]) -> Table {
             Cell::Text(word(&transfer)),
             Cell::from(pressure),
             Cell::Decimal(bound(variant)),
-            record(records, variant.name(), super::COURANT)
+            usual(records, variant.name())
                 .and_then(|record| record.row("courant", "largest-stable"))
                 .map_or(Cell::from("-"), |row| Cell::Decimal(row.value)),
             Cell::Text(
@@ -230,27 +238,6 @@ fn parts(records: &[RunRecord]) -> Table {
         note: "Pages: docs/methods. Names of parts are those of the modules of the library."
             .to_owned(),
     }
-}
-
-/// The Courant number that is stable whatever the places of the points; zero where none is.
-fn bound(variant: Variant) -> f64 {
-    let Parts { kernel, fields, formulation, .. } = variant.parts();
-    if formulation != Formulation::Standard || fields != Fields::Carried {
-        return 1.0;
-    }
-    let length = variant.settings(&Settings::default()).gimp_length;
-    let stiffness: f64 = match kernel {
-        Kernel::Linear => worst_row_stiffness(&Linear),
-        Kernel::Gimp => worst_row_stiffness(&Gimp { length }),
-        Kernel::ConvectedGimp => worst_row_stiffness(&ConvectedGimp::default()),
-        Kernel::QuadraticBspline => worst_row_stiffness(&QuadraticBspline),
-        Kernel::CubicBspline => worst_row_stiffness(&CubicBspline),
-        Kernel::DualDomain => worst_row_stiffness(&DualDomain::default()),
-        Kernel::Staggered => worst_row_stiffness(&Staggered),
-        Kernel::Corrected => worst_row_stiffness(&Corrected::default()),
-        Kernel::LeastSquares => worst_row_stiffness(&LeastSquares(QuadraticBspline)),
-    };
-    2.0 / stiffness.sqrt()
 }
 
 /// Nodes that a point touches in a plane.
