@@ -6,13 +6,12 @@
 //! largest with which the method ends the coarsest run with at most twice its error at the common one.
 
 mod execute;
+mod list;
 mod own_courant;
 mod results;
 #[cfg(test)]
 mod tests;
 mod touches;
-
-pub(crate) use execute::{Build, OF_THE_RUN, Runner, error_rows};
 
 use std::collections::BTreeMap;
 
@@ -23,67 +22,14 @@ use crate::case::{Case, Findings, RunSpec, Tier};
 use crate::cases::free_surface;
 use crate::cases::lattice::{JITTER, LAYOUTS};
 use crate::convergence::{self, Order};
-use crate::judge::Check;
-use crate::problems::{
-    ErrorKind, Problem, Resolution, advected_wave, cavity, drop, gravity_wave, gresho,
-    hydrostatic_tank, loaded_column, poiseuille, pressure_pulse, riemann_tube, solitary_wave,
-    taylor_green,
-};
+use crate::judge::{Check, Miss};
+use crate::problems::{ErrorKind, Problem, Resolution};
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
-
-/// The problems, in the order of the page.
-pub static ALL: [Benchmark; 14] = [
-    Benchmark(AnyProblem::Line(&advected_wave::AdvectedWave)),
-    Benchmark(AnyProblem::Line(&riemann_tube::RiemannTube)),
-    Benchmark(AnyProblem::Plane(&pressure_pulse::PressurePulse)),
-    Benchmark(AnyProblem::Plane(&poiseuille::PoiseuilleStart)),
-    Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: Some(100.0) })),
-    Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: None })),
-    Benchmark(AnyProblem::Plane(&gresho::GreshoVortex)),
-    Benchmark(AnyProblem::Plane(&cavity::LidCavity)),
-    Benchmark(AnyProblem::Line(&loaded_column::SuddenLoad)),
-    Benchmark(AnyProblem::Plane(&hydrostatic_tank::Tank)),
-    Benchmark(AnyProblem::Plane(&gravity_wave::StandingGravityWave)),
-    Benchmark(AnyProblem::Plane(&solitary_wave::RunningWave)),
-    Benchmark(AnyProblem::Plane(&drop::ELLIPTICAL)),
-    Benchmark(AnyProblem::Plane(&drop::OSCILLATING)),
-];
-
-/// The methods compared: those that every case compares, and of their rivals the ones that differ most.
-pub const VARIANTS: [Variant; 18] = [
-    Variant::Tpm,
-    Variant::TpmVp,
-    Variant::Mpm,
-    Variant::Gimp,
-    Variant::Bspline2,
-    Variant::Bspline3,
-    Variant::Apic,
-    Variant::MpmVp,
-    Variant::TpmVpQuadratic,
-    Variant::TpmVpConstant,
-    Variant::GimpVp,
-    Variant::Fmpm4Periodic,
-    Variant::Staggered,
-    Variant::Bspline2Fbar,
-    Variant::TpicFbar,
-    Variant::TpmVpFmpm,
-    Variant::TpmVpEven,
-    Variant::CellAdjoint,
-];
-
-/// Those of them that the bare command runs, at three levels.
-const SHOWN: [Variant; 8] = [
-    Variant::Tpm,
-    Variant::Mpm,
-    Variant::Gimp,
-    Variant::Bspline2,
-    Variant::Apic,
-    Variant::TpmVpQuadratic,
-    Variant::TpmVpEven,
-    Variant::CellAdjoint,
-];
+pub(crate) use execute::{Build, OF_THE_RUN, Runner, error_rows};
+use list::SHOWN;
+pub use list::{ALL, VARIANTS};
 
 /// Courant number of the runs `common`.
 pub const COURANT: f64 = free_surface::COURANT;
@@ -294,6 +240,10 @@ impl Case for Benchmark {
 
     fn checks(&self, records: &[RunRecord]) -> Vec<Check> {
         results::checks(self, &self.orders(records))
+    }
+
+    fn misses(&self) -> &'static [Miss] {
+        results::misses(self.name())
     }
 
     fn orders(&self, records: &[RunRecord]) -> Vec<Order> {

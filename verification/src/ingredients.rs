@@ -96,9 +96,8 @@ fn runner(
     ingredient: &Ingredient,
 ) -> Result<Runner<2>, String> {
     let mut set_up = problem.set_up(resolution);
-    let settings = BASE.settings(&set_up.settings);
     let simulation = (ingredient.build)(&mut set_up).map_err(|error| error.to_string())?;
-    Ok(Runner { simulation, end: set_up.end, stress_update: settings.stress_update })
+    Ok(Runner { simulation, end: set_up.end, stress_update: set_up.settings.stress_update })
 }
 
 impl Case for Ingredients {

@@ -8,6 +8,7 @@ mod advice;
 mod artifacts;
 mod front;
 mod measured;
+mod tables;
 #[cfg(test)]
 mod tests;
 pub mod timing;

@@ -4,7 +4,7 @@ use super::{Benchmark, VARIANTS};
 use crate::case::Case;
 use crate::cases::errors;
 use crate::convergence::{Order, Series, series};
-use crate::judge::Check;
+use crate::judge::{Check, Miss};
 use crate::record::RunRecord;
 use crate::report::axis::Axis;
 use crate::report::plot::{Curve, Figure, Look, Panel};
@@ -12,10 +12,39 @@ use crate::report::table::{Cell, Table};
 use crate::report::{Artifact, Content};
 
 /// The method whose orders are gated.
-const GATED: &str = "tpm-vp2";
+const GATED: &str = "tpm-vp2-even";
 /// Most by which the order between the two finest grids may differ from that over all: beyond it the errors are not
 /// yet, or no longer, those of the asymptotic range.
 const ASYMPTOTIC: f64 = 0.5;
+
+/// Goals that are known not to be met, by the name of the problem.
+pub(super) fn misses(problem: &str) -> &'static [Miss] {
+    match problem {
+        "advected-wave" => &[Miss {
+            variant: GATED,
+            layout: "jittered",
+            check: "order-pressure",
+            reason: "The error of a wave that is carried through the grid falls faster than expected, with order 3.5 down \
+                     to 7·10⁻⁵ of the wave: points kept even are nearly a lattice that the wave has smoothed, and what is \
+                     left of second order has not shown. The bound for being too good stays.",
+        }],
+        "gravity-wave" => &[Miss {
+            variant: GATED,
+            layout: "jittered",
+            check: "asymptotic-range",
+            reason: "A wave of a tenth of a cell decides which cells of the surface count as cut, and the error of its \
+                     amplitude follows that more than the cell size.",
+        }],
+        "taylor-green-inviscid" => &[Miss {
+            variant: GATED,
+            layout: "jittered",
+            check: "asymptotic-range",
+            reason: "With four levels the finest error comes near what a weakly compressible fluid leaves, the waves of \
+                     its start included.",
+        }],
+        _ => &[],
+    }
+}
 
 /// Order of the first error within what theory lets expect, too high as bad as too low, and in the asymptotic
 /// range; for one method, where the answer is smooth.

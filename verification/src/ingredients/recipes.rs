@@ -11,11 +11,12 @@ use transpoint::reconstruction::MovingLeastSquares;
 use transpoint::transfer::Flip;
 use transpoint::variants::{
     Blend, Fill, FillMass, FillPoints, Projection, ProjectionKind, Rearrangement, Shift,
+    StressUpdate,
 };
 use transpoint::{InvalidInput, Scalar, Settings, Simulation, Solver, Variant};
 
 use super::BASE;
-use crate::cases::free_surface::{LEVERAGE, POSITIVITY, RELAXATION};
+use crate::cases::free_surface::{LEVERAGE, POSITIVITY, RELAXATION, is_modified_last};
 use crate::problems::SetUp;
 use transpoint::shape;
 
@@ -35,7 +36,14 @@ pub struct Ingredient {
 /// A method in place of the base.
 macro_rules! method {
     ($variant:ident) => {
-        |set_up| Variant::$variant.build_2d(&set_up.scene, &set_up.settings)
+        |set_up| {
+            // The policy of free surfaces, whose scenes alone have a relaxation of their own.
+            let has_free_surface = matches!(set_up.settings.blend, Blend::RelaxationTime(_));
+            if has_free_surface && is_modified_last(Variant::$variant) {
+                set_up.settings.stress_update = StressUpdate::ModifiedLast;
+            }
+            Variant::$variant.build_2d(&set_up.scene, &set_up.settings)
+        }
     };
 }
 

@@ -1,7 +1,8 @@
 //! Figures, tables and the page of the study, on one scale of cost.
 
-use super::front::{cost_at_error, error_at_cost, front};
+use super::front::front;
 use super::measured::{Cost, Measured};
+use super::tables::{cheapest, ranking, reached, within_budget};
 use crate::benchmark::{Benchmark, COURANT, OWN_SHARE, VARIANTS};
 use crate::case::Case;
 use crate::number;
@@ -11,12 +12,12 @@ use crate::report::table::{Cell, Table};
 use crate::report::{Area, Artifact, Content, page};
 
 /// Errors whose cost is tabled.
-const TARGETS: [(f64, &str); 3] = [(0.1, "10pct"), (0.03, "3pct"), (0.01, "1pct")];
-type Problems = [(&'static Benchmark, Vec<Measured>)];
+pub(super) const TARGETS: [(f64, &str); 3] = [(0.1, "10pct"), (0.03, "3pct"), (0.01, "1pct")];
+pub(super) type Problems = [(&'static Benchmark, Vec<Measured>)];
 
 /// Every figure and table on that scale.
 pub(super) fn all(problems: &Problems, cost: Cost) -> Vec<Artifact> {
-    let mut artifacts = vec![ranking(problems, cost)];
+    let mut artifacts = vec![cheapest(problems, cost), ranking(problems, cost)];
     artifacts.extend(TARGETS.iter().map(|&(error, name)| reached(problems, cost, error, name)));
     artifacts.push(within_budget(problems, cost));
     for (benchmark, points) in problems {
@@ -46,13 +47,13 @@ pub(super) fn page(artifacts: &[Artifact], cost: Cost) -> String {
     text
 }
 
-fn artifact(cost: Cost, stem: &str, title: String, content: Content) -> Artifact {
+pub(super) fn artifact(cost: Cost, stem: &str, title: String, content: Content) -> Artifact {
     let area = if cost == Cost::Touches { Area::Accuracy } else { Area::Timing };
     Artifact { stem: format!("{stem}_{}", cost.name()), title, area, content }
 }
 
 /// (cost, error) of the points of one method, or of all.
-fn pairs(points: &[Measured], variant: Option<&str>, cost: Cost) -> Vec<(f64, f64)> {
+pub(super) fn pairs(points: &[Measured], variant: Option<&str>, cost: Cost) -> Vec<(f64, f64)> {
     points
         .iter()
         .filter(|point| variant.is_none_or(|variant| point.variant == variant))
@@ -139,105 +140,6 @@ fn front_table(benchmark: &Benchmark, points: &[Measured], cost: Cost) -> Artifa
     };
     let stem = format!("wp_front_{}", benchmark.name().replace('-', "_"));
     artifact(cost, &stem, format!("{}: the front", benchmark.name()), Content::Table(table))
-}
-
-/// Who lies on the fronts, and how often.
-fn ranking(problems: &Problems, cost: Cost) -> Artifact {
-    let on_front: Vec<Vec<&str>> = problems
-        .iter()
-        .map(|(_, points)| {
-            let all = pairs(points, None, cost);
-            front(&all).into_iter().map(|i| points[i].variant.as_str()).collect()
-        })
-        .collect();
-    let mut rows: Vec<(usize, Vec<Cell>)> = VARIANTS
-        .iter()
-        .map(|variant| {
-            let named: Vec<&str> = problems
-                .iter()
-                .zip(&on_front)
-                .filter(|(_, names)| names.contains(&variant.name()))
-                .map(|((benchmark, _), _)| benchmark.name())
-                .collect();
-            let completed = problems
-                .iter()
-                .flat_map(|(_, points)| points)
-                .filter(|p| p.variant == variant.name());
-            let (runs, failed) = completed.fold((0, 0), |(runs, failed), point| {
-                (runs + 1, failed + u64::from(!point.reason.is_empty()))
-            });
-            let cells = vec![
-                Cell::Text(variant.name().to_owned()),
-                Cell::Count(named.len() as u64),
-                Cell::Text(named.join(", ")),
-                Cell::Count(runs),
-                Cell::Count(failed),
-            ];
-            (named.len(), cells)
-        })
-        .collect();
-    // The sort is stable: ties stay in the order of legends.
-    rows.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
-    let columns =
-        ["variant", "problems on whose front it lies", "which", "runs", "did not complete"];
-    let table = Table {
-        columns: columns.map(str::to_owned).to_vec(),
-        rows: rows.into_iter().map(|(_, cells)| cells).collect(),
-        note: format!(
-            "Of {} problems. A method lies on the front where no cheaper run of any method has a smaller \
-                       error than one of its own.",
-            problems.len()
-        ),
-    };
-    artifact(cost, "wp_ranking", "Who lies on the front".to_owned(), Content::Table(table))
-}
-
-/// One row per method, one column per problem.
-fn matrix(problems: &Problems, cell: impl Fn(&[Measured], &str) -> Cell, note: String) -> Table {
-    let mut columns = vec!["variant".to_owned()];
-    columns.extend(problems.iter().map(|(benchmark, _)| benchmark.name().to_owned()));
-    let row = |name: &str| {
-        let mut cells = vec![Cell::Text(name.to_owned())];
-        cells.extend(problems.iter().map(|(_, points)| cell(points, name)));
-        cells
-    };
-    Table { columns, rows: VARIANTS.iter().map(|variant| row(variant.name())).collect(), note }
-}
-
-fn reached(problems: &Problems, cost: Cost, error: f64, name: &str) -> Artifact {
-    let note = format!(
-        "Least {} at which a method reaches a relative error of {error}, between its own runs by straight lines in \
-         logarithms; the cheapest run where that is good enough. –: not reached at the finest resolution.",
-        cost.label()
-    );
-    let cell = |points: &[Measured], variant: &str| {
-        let pairs = pairs(points, Some(variant), cost);
-        Cell::Value(cost_at_error(&pairs, error).unwrap_or(f64::NAN))
-    };
-    let title = format!("Cost of an error of {} %", 100.0 * error);
-    artifact(
-        cost,
-        &format!("wp_cost_of_{name}"),
-        title,
-        Content::Table(matrix(problems, cell, note)),
-    )
-}
-
-fn within_budget(problems: &Problems, cost: Cost) -> Artifact {
-    let (budget, words) = match cost {
-        Cost::Touches => (1e8, "10⁸ touches"),
-        Cost::Seconds => (1.0, "one second"),
-    };
-    let cell = |points: &[Measured], variant: &str| {
-        let pairs = pairs(points, Some(variant), cost);
-        Cell::Value(error_at_cost(&pairs, budget).unwrap_or(f64::NAN))
-    };
-    let note = format!(
-        "Relative error that a method reaches with {words}; the least measured where its finest run is cheaper. –: its \
-         coarsest run is dearer, or none completed."
-    );
-    let title = format!("Error within {words}");
-    artifact(cost, "wp_error_in_budget", title, Content::Table(matrix(problems, cell, note)))
 }
 
 /// Runs that did not complete.
