@@ -53,7 +53,8 @@ const NAME: &str = "hard-cases";
 /// Norm of all rows.
 const NORM: &str = "measure";
 /// The variants of the smaller tiers.
-const FEW: [Variant; 4] = [Variant::Mpm, Variant::Bspline2, Variant::Apic, Variant::TpmVpQuadratic];
+const FEW: [Variant; 5] =
+    [Variant::Mpm, Variant::Bspline2, Variant::Apic, Variant::TpmVpQuadratic, Variant::CellAdjoint];
 
 /// The case `hard-cases`.
 #[derive(Clone, Copy, Debug)]
