@@ -147,6 +147,9 @@ pub struct WorkPrecisionArguments {
     /// No timings: errors and machine-free costs only
     #[arg(long)]
     pub untimed: bool,
+    /// No runs: figures and tables from what is on record
+    #[arg(long, conflicts_with_all = ["force", "threads", "untimed"])]
+    pub only_report: bool,
     /// No progress on the standard error
     #[arg(long)]
     pub quiet: bool,

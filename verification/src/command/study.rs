@@ -9,14 +9,34 @@ use crate::judge::Verdict;
 use crate::number;
 use crate::progress::say;
 use crate::report::table;
-use crate::run::{self, Execution};
+use crate::run::{self, Execution, Summary};
 use crate::work_precision::{self, Advice, Study};
 
-/// Makes the runs and the timings that are not on record, and writes the report.
+/// Makes the runs and the timings that are not on record, unless only the report is asked for, and writes it.
 pub(super) fn work_precision(arguments: &WorkPrecisionArguments) -> Result<Verdict> {
     let selection = arguments.selection();
-    let errors = work_precision::error_plan(&selection)?;
-    let timings = work_precision::timing_plan(&selection)?;
+    if !arguments.only_report {
+        measure(arguments, &selection)?;
+    }
+    let study = Study::read(&selection)?;
+    study.write(&arguments.out)?;
+    if !arguments.quiet {
+        if let Some(shortfall) = &study.shortfall {
+            say(&format!("warning: {shortfall}"));
+        }
+        let page = |area: &str| arguments.out.join(area).join("work-precision").join("README.md");
+        say(&format!("wrote {}", page("accuracy").display()));
+        if page("timing").exists() {
+            say(&format!("wrote {}", page("timing").display()));
+        }
+    }
+    Ok(Verdict::Holds)
+}
+
+/// Both phases of the study.
+fn measure(arguments: &WorkPrecisionArguments, selection: &SelectionArguments) -> Result<()> {
+    let errors = work_precision::error_plan(selection)?;
+    let timings = work_precision::timing_plan(selection)?;
     let execution = Execution {
         threads: arguments.threads.map(usize::from),
         force: arguments.force,
@@ -27,20 +47,10 @@ pub(super) fn work_precision(arguments: &WorkPrecisionArguments) -> Result<Verdi
     if !arguments.untimed {
         // One worker with one thread: nothing of ours runs beside a timing.
         let summary = run::execute(&timings, Execution { threads: Some(1), ..execution })?;
-        print_text(&format!(
-            "timings: {} executed, {} on record\n",
-            summary.executed, summary.skipped
-        ))?;
+        let Summary { executed, skipped, .. } = summary;
+        print_text(&format!("timings: {executed} executed, {skipped} on record\n"))?;
     }
-    Study::read(&selection)?.write(&arguments.out)?;
-    if !arguments.quiet {
-        let page = |area: &str| arguments.out.join(area).join("work-precision").join("README.md");
-        say(&format!("wrote {}", page("accuracy").display()));
-        if page("timing").exists() {
-            say(&format!("wrote {}", page("timing").display()));
-        }
-    }
-    Ok(Verdict::Holds)
+    Ok(())
 }
 
 /// Prints the cheapest runs that reached an error; exit code 1 if none did.
