@@ -29,7 +29,7 @@ where
             longitudinal = longitudinal.max((c * c + shear).sqrt());
             speed = speed.max(crate::math::dot(*v, *v));
         }
-        let mut acceleration = physics.body_force.map(|b| b.abs());
+        let mut acceleration = physics.body_force.map(nalgebra::ComplexField::abs);
         let mut rate = T::zero();
         if let Some(central) = &physics.central_force {
             rate = central.rate_squared.sqrt();

@@ -125,6 +125,7 @@ pub struct CheckArguments {
 
 /// Options of `work-precision`.
 #[derive(Debug, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "one for each switch of the command line")]
 pub struct WorkPrecisionArguments {
     /// Only this problem (may be repeated)
     #[arg(long, value_name = "NAME")]

@@ -7,6 +7,7 @@
 
 use transpoint::Scene;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
+use transpoint::simulation::PointState;
 
 use super::{End, ErrorKind, Gauge, Problem, Resolution, SetUp};
 use crate::cases::{free_surface, lattice};
@@ -117,7 +118,7 @@ impl Gauge<2> for Errors {
         let (mut velocity, mut pressure, mut momentum) = (L2::default(), L2::default(), 0.0);
         let points = end.simulation.observe().points;
         // The level of the pressure in a closed volume is that of its mean.
-        let volume: f64 = points.iter().map(|point| point.volume()).sum();
+        let volume: f64 = points.iter().map(PointState::volume).sum();
         let mean = |values: &dyn Fn(usize) -> f64| {
             let sum = points.iter().enumerate().map(|(k, point)| values(k) * point.volume());
             sum.sum::<f64>() / volume

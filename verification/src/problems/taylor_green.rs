@@ -11,6 +11,7 @@
 
 use transpoint::Scene;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
+use transpoint::simulation::PointState;
 
 use super::{End, ErrorKind, Gauge, Problem, Resolution, SetUp};
 use crate::cases::{free_surface, lattice};
@@ -119,7 +120,7 @@ impl Gauge<2> for Errors {
         let (mut energy, mut exact_energy) = (0.0, 0.0);
         let points = end.simulation.observe().points;
         // The pressure of the exact flow has no level of its own: that of its mean is taken out of both.
-        let volume: f64 = points.iter().map(|point| point.volume()).sum();
+        let volume: f64 = points.iter().map(PointState::volume).sum();
         let mean = points.iter().map(|point| point.pressure * point.volume()).sum::<f64>() / volume;
         for point in &points {
             let exact = self.flow.velocity(point.position, velocity_time);

@@ -87,7 +87,13 @@ fn draw_axis(canvas: &Canvas<'_>, figure: &BarFigure, ruler: &Ruler, bottom: i32
     if let Some(place) = ruler.pixel(figure.reference) {
         style::line(canvas, vec![(place, TOP), (place, bottom)], INK.stroke_width(2))?;
     }
-    style::text(canvas, &figure.axis, ((LEFT + RIGHT) / 2, bottom + 58), NORMAL, Anchor::Middle)?;
+    style::text(
+        canvas,
+        &figure.axis,
+        (i32::midpoint(LEFT, RIGHT), bottom + 58),
+        NORMAL,
+        Anchor::Middle,
+    )?;
     let mut left = LEFT;
     for (index, name) in figure.series.iter().enumerate() {
         fill(canvas, (left, 85), (left + 30, 85 + BAR), index)?;

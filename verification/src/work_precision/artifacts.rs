@@ -41,9 +41,9 @@ pub(super) fn page(artifacts: &[Artifact], cost: Cost) -> String {
          points are jittered.\n",
         cost.label()
     );
-    for artifact in artifacts {
-        text += &format!("\n## {}\n\n{}", artifact.title, page::embed(artifact));
-    }
+    let part =
+        |artifact: &Artifact| format!("\n## {}\n\n{}", artifact.title, page::embed(artifact));
+    text.extend(artifacts.iter().map(part));
     text
 }
 
