@@ -6,7 +6,7 @@
 //! but for `vortex`, by which `fracture`, `clumping` and `null-space` are judged.
 //!
 //! One policy for all: closed scenes with `Settings::default()`, scenes with a free surface with that of
-//! [`free_surface`](super::free_surface), carried fields then with the stress updated modified-last; what a variant
+//! [`free_surface`], carried fields then with the stress updated modified-last; what a variant
 //! fixes comes before that. Rearrangement is on in `vortex` and `ledger` alone. A run that bursts is a result.
 //!
 //! A hard case that a method fails is data and fails no check. What is checked is that the verdicts are those on
