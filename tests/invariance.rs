@@ -34,15 +34,33 @@ where
     run(scene, variant, &Settings::default(), (n_steps, DT)).observe()
 }
 
+/// Whether a variant fills fractures or pushes points apart of its own.
+fn moves_points(variant: Variant) -> bool {
+    let rearrangement = variant.settings(&Settings::default()).rearrangement;
+    rearrangement.is_some_and(|parts| parts.fill.is_some() || parts.shift.is_some())
+}
+
 /// Runs every variant on a scene and on its image, and compares after mapping the image back.
 fn check_image<const D: usize>(
+    images: (&Scene<D>, &Scene<D>),
+    bound: f64,
+    back: impl Fn(PointState<D>, f64) -> PointState<D>,
+) where
+    Scene<D>: Build<D>,
+{
+    check_image_of(&Variant::ALL, images, bound, back);
+}
+
+/// The same for some variants.
+fn check_image_of<const D: usize>(
+    variants: &[Variant],
     (scene, image): (&Scene<D>, &Scene<D>),
     bound: f64,
     back: impl Fn(PointState<D>, f64) -> PointState<D>,
 ) where
     Scene<D>: Build<D>,
 {
-    for variant in Variant::ALL {
+    for &variant in variants {
         for n_steps in STEPS {
             let reference = observe(scene, variant, n_steps);
             let mut found = observe(image, variant, n_steps);
@@ -221,7 +239,9 @@ where
         point.velocity = std::array::from_fn(|axis| point.velocity[axis] + boost[axis]);
     }
     // The boost is 40 c₀: so much larger is the round-off.
-    check_image((&scene, &image), 100.0 * BOUND, |point, time| {
+    // Fills and pushes go through the cells in their order, which is another one behind the periodic face.
+    let variants: Vec<_> = Variant::ALL.into_iter().filter(|&v| !moves_points(v)).collect();
+    check_image_of(&variants, (&scene, &image), 100.0 * BOUND, |point, time| {
         let mut point = moved(point, boost.map(|v| v * time));
         for axis in 0..D {
             point.velocity[axis] -= boost[axis];
@@ -275,8 +295,10 @@ where
     let slab = extrude::<D, E>(&scene);
     for point_volume in [PointVolume::CarriedCapped, PointVolume::VolumeFraction] {
         let settings = Settings { point_volume, ..Settings::default() };
-        // One factor for all displacements is found from sums over all nodes, which differ between dimensions.
-        for variant in Variant::ALL.into_iter().filter(|&v| v != Variant::Bspline2Overfill) {
+        // One factor for all displacements is found from sums over all nodes, which differ between dimensions;
+        // points that are pushed apart have neighbors in the other layers too.
+        let is_same = |v: &Variant| *v != Variant::Bspline2Overfill && !moves_points(*v);
+        for variant in Variant::ALL.into_iter().filter(is_same) {
             let flat = run(&scene, variant, &settings, (STEPS[1], DT)).observe();
             let solid = run(&slab, variant, &settings, (STEPS[1], DT)).observe();
             for layer in solid.points.chunks(flat.points.len()) {
