@@ -189,7 +189,8 @@ where
 pub fn check_samples<T: Scalar, const D: usize, M: Method<T, D>>(
     method: &M,
 ) -> Result<(), InvalidInput> {
-    let at_planes = method.quadrature().samples(CellKind::Boundary) == Samples::Wetted;
+    let samples = method.quadrature().samples(CellKind::Boundary);
+    let at_planes = matches!(samples, Samples::Wetted | Samples::Balanced);
     let by_cell = method.formulation() != Formulation::Standard;
     if at_planes && by_cell && method.stress_update() == StressUpdate::First {
         let allowed = "`last` or `modified-last`, or another `point_volume`: the planes belong to the \

@@ -370,6 +370,9 @@ pub enum PointVolume {
     CellCenter,
     /// The same in one sample at the centroid of the part of the cell that a plane cuts off.
     Plane,
+    /// The same, but no sample nearer to a face than a quarter of a cell, and with the pressure of a fit that holds up a
+    /// column at rest: ADR 0016.
+    Balanced,
 }
 
 /// What tells a cell cut by the surface from one that is full.

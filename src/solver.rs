@@ -13,7 +13,7 @@ use crate::method::Method;
 use crate::nodes::Nodes;
 use crate::particles::Particles;
 use crate::quadrature::{
-    Quadrature, classify, classify_by_volume, mark_near_surface, wetted_sites,
+    Quadrature, balance, balances, classify, classify_by_volume, mark_near_surface, wetted_sites,
 };
 use crate::rearrangement::{Ledger, RearrangerOf};
 use crate::reconstruction::Columns;
@@ -78,6 +78,7 @@ where
     pub columns: Columns<T>,
     means: Vec<CellMean<T, D>>,
     pub(crate) sites: Vec<[T; D]>,
+    volumes: Vec<T>,
     spare: Particles<T, D, AffineOf<T, D, M>, StateOf<T, D, K>>,
     pub(crate) divergence: Vec<T>,
     pub(crate) strain_is_rebuilt: bool,
@@ -150,6 +151,7 @@ where
             columns: Columns::default(),
             means: Vec::new(),
             sites: Vec::new(),
+            volumes: Vec::new(),
             spare: Particles::default(),
             divergence: Vec::new(),
             strain_is_rebuilt: false,
@@ -276,6 +278,11 @@ where
         centers.resize(cells.len(), Center::default());
         self.counters = self.counters.sum(rebuild_centers(&view, centers));
         wetted_sites(&view, centers, sites);
+        if balances(method) {
+            self.volumes.clear();
+            self.volumes.extend(centers.iter().map(|center| center.volume));
+            self.counters = self.counters.sum(balance(&view, &self.volumes, centers));
+        }
     }
 
     /// Samples → nodes: mass, momentum, force; then the velocity at the start of the step.

@@ -276,6 +276,7 @@ variants! {
     CellAdjoint = "catp", "`tpm-vp2-even`, the null space filtered by FMPM(3) in every 8th step [Nairn2021]",
         [Linear, TransportPoints, Flip, QUADRATIC], |s| {
             keep_even(s);
+            s.point_volume = PointVolume::Balanced;
             s.projection = Some(FILTER);
         };
 }

@@ -34,6 +34,7 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
             CellKind::Boundary => match self.point_volume {
                 PointVolume::CellCenter => Samples::Part,
                 PointVolume::Plane => Samples::Wetted,
+                PointVolume::Balanced => Samples::Balanced,
                 PointVolume::Sphere | PointVolume::CarriedCapped | PointVolume::VolumeFraction => {
                     Samples::Points
                 }
@@ -60,7 +61,9 @@ impl<T: Scalar, const D: usize> Quadrature<T, D> for Mixed {
                 PointVolumes::Capped(cell_volume / T::from_index(points.len()))
             }
             // A cell may hold the fluid of its empty neighbour: a cap would lose its weight.
-            PointVolume::CellCenter | PointVolume::Plane => PointVolumes::Scaled(T::one()),
+            PointVolume::CellCenter | PointVolume::Plane | PointVolume::Balanced => {
+                PointVolumes::Scaled(T::one())
+            }
             PointVolume::VolumeFraction => {
                 let carried =
                     points.fold(T::zero(), |sum, p| sum + cloud.mass[p] / cloud.density[p]);

@@ -1,5 +1,6 @@
 //! Quadrature: at which samples mass and force are integrated, and with which volumes.
 
+mod balance;
 mod gauss;
 mod mixed;
 mod particle;
@@ -7,6 +8,7 @@ mod plane;
 mod surface;
 mod whole_cells;
 
+pub(crate) use balance::{balance, balances};
 pub use gauss::Gauss;
 pub use mixed::Mixed;
 pub use particle::Particle;
@@ -29,6 +31,8 @@ pub enum Samples {
     Part,
     /// As [`Self::Part`], at the centroid of the part of the cell that a plane cuts off.
     Wetted,
+    /// As [`Self::Part`], near that centroid, with the pressure that holds up a column at rest.
+    Balanced,
 }
 
 /// A rule for the integrals over the fluid.

@@ -6,6 +6,7 @@ use crate::Scalar;
 use crate::cells::{ABSENT, CellKind, Cells};
 use crate::grid::{Grid, shift_of};
 use crate::material::Material;
+use crate::math::dot;
 use crate::method::Method;
 use crate::parallel::for_each_block;
 use crate::reconstruction::{Cloud, Neighborhood};
@@ -144,13 +145,14 @@ pub fn wetted_sites<T, const D: usize, M, K>(
     K: Material<T, D>,
 {
     sites.clear();
-    let rule = view.method.quadrature();
-    if rule.samples(CellKind::Boundary) != Samples::Wetted {
-        return;
-    }
+    let is_balanced = match view.method.quadrature().samples(CellKind::Boundary) {
+        Samples::Wetted => false,
+        Samples::Balanced => true,
+        Samples::Points | Samples::Center | Samples::Part => return,
+    };
     sites.resize(centers.len(), [T::zero(); D]);
     let (grid, cells) = (view.grid, view.cells);
-    let per_volume = T::one() / grid.cell_volume();
+    let volume = |slot: usize| centers[slot].volume;
     for_each_block(
         centers.len(),
         CELL_GRAIN,
@@ -158,29 +160,66 @@ pub fn wetted_sites<T, const D: usize, M, K>(
         &|slots, part: &mut [[T; D]]| {
             for (slot, site) in slots.zip(part) {
                 let cell = grid.cell_coordinates(cells.index[slot]);
-                let fraction = |shift| {
-                    let found = grid.neighbor(cell, shift)?;
-                    if cells.is_solid(found) {
-                        return None;
-                    }
-                    let slot = cells.slot_of[found];
-                    let wet = slot != ABSENT;
-                    Some(if wet { centers[slot as usize].volume * per_volume } else { T::zero() })
-                };
-                let inside = match cells.kind[slot] {
-                    CellKind::Internal => None,
-                    CellKind::Boundary => normal(fraction).map(|normal| {
-                        Plane::of_fraction(normal, centers[slot].volume * per_volume)
-                            .wetted()
-                            .centroid
-                    }),
-                };
+                let part = WetPart::of(grid, cells, slot, volume);
+                let inside = part.map_or([T::lit(0.5); D], |part| {
+                    if is_balanced { part.balanced() } else { part.centroid() }
+                });
                 for axis in 0..D {
-                    let along = inside.map_or(T::lit(0.5), |centroid| centroid[axis]);
-                    let place = T::from_index(cell[axis]) + along;
+                    let place = T::from_index(cell[axis]) + inside[axis];
                     site[axis] = grid.origin[axis] + grid.spacing[axis] * place;
                 }
             }
         },
     );
+}
+
+/// The part of a boundary cell that a plane cuts off.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WetPart<T, const D: usize> {
+    /// Points out of the fluid.
+    normal: [T; D],
+    /// Volume of the fluid over that of the cell; above 1 where it holds that of an empty neighbour.
+    fraction: T,
+}
+
+impl<T: Scalar, const D: usize> WetPart<T, D> {
+    /// That of an active cell, given the volumes of fluid of all, m³; `None` in full cells, and where no side is wetter
+    /// than the other.
+    pub fn of(
+        grid: &Grid<T, D>,
+        cells: &Cells,
+        slot: usize,
+        volume: impl Fn(usize) -> T,
+    ) -> Option<Self> {
+        if cells.kind[slot] == CellKind::Internal {
+            return None;
+        }
+        let cell = grid.cell_coordinates(cells.index[slot]);
+        let per_volume = T::one() / grid.cell_volume();
+        let share_at = |shift| {
+            let found = grid.neighbor(cell, shift)?;
+            if cells.is_solid(found) {
+                return None;
+            }
+            let slot = cells.slot_of[found];
+            Some(if slot == ABSENT { T::zero() } else { volume(slot as usize) * per_volume })
+        };
+        Some(Self { normal: normal(share_at)?, fraction: volume(slot) * per_volume })
+    }
+
+    /// Its centroid, cells from the lower corner.
+    pub fn centroid(&self) -> [T; D] {
+        Plane::of_fraction(self.normal, self.fraction).wetted().centroid
+    }
+
+    /// The same, of fluid that reaches into the empty neighbour too.
+    pub fn whole_centroid(&self) -> [T; D] {
+        let mut centroid = self.centroid();
+        let length = dot(self.normal, self.normal).sqrt();
+        let beyond = T::lit(0.5) * (self.fraction - T::one()).max(T::zero()) / length;
+        for axis in 0..D {
+            centroid[axis] += beyond * self.normal[axis];
+        }
+        centroid
+    }
 }

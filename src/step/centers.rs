@@ -93,7 +93,9 @@ where
             for (slot, center) in slots.zip(part) {
                 *center = match quadrature.samples(view.cells.kind[slot]) {
                     Samples::Center => full_cell(simd, view, slot, &mut counters),
-                    Samples::Points | Samples::Part | Samples::Wetted => cut_cell(view, slot),
+                    Samples::Points | Samples::Part | Samples::Wetted | Samples::Balanced => {
+                        cut_cell(view, slot)
+                    }
                 };
             }
             counters

@@ -2,7 +2,7 @@
 
 use super::{FIT_GRAIN, NODE_GRAIN, View, nodes_read};
 use crate::Scalar;
-use crate::cells::CellKind;
+use crate::cells::{ABSENT, CellKind};
 use crate::material::Material;
 use crate::math::{Value, Vector, widen};
 use crate::method::Method;
@@ -56,13 +56,54 @@ where
                     if is_interior(view, at) { rebuild(simd, view, at, &mut counters) } else { None };
                 *out = match rebuilt {
                     Some(velocity) => velocity,
-                    None => transfer_velocity::<T, D>(transfer[node]),
+                    None if transfer[node][3] > T::zero() => transfer_velocity::<T, D>(transfer[node]),
+                    None => limit_velocity(view, at),
                 };
             }
             counters
         })
     };
     fold_blocks(index.len(), FIT_GRAIN, velocity, &|node| node, &work, &Counters::sum)
+}
+
+/// Velocity of a node to which no mass arrives although points are near: all of them lie on far faces of their cells.
+///
+/// As they come closer to these faces, their weights go to zero but the velocity Σ w m v / Σ w m does not. The limit is
+/// the mean over the points around for points that go there together. Zero would be a strain v/h of the cell.
+#[inline(never)]
+fn limit_velocity<T, const D: usize, M, K>(view: &View<'_, T, D, M, K>, node: [usize; D]) -> [T; 4]
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: Material<T, D>,
+{
+    let mut sum = [T::zero(); 4];
+    for code in 0..M::Shape::REACH.pow(D as u32) {
+        let Some(found) = view.grid.neighbor(node, below::<M::Shape, T, D>(code)) else { continue };
+        let slot = view.cells.slot_of[found];
+        if slot == ABSENT {
+            continue;
+        }
+        for point in view.cells.points(slot as usize) {
+            let mass = view.particles.mass[point];
+            for axis in 0..D {
+                sum[axis] += mass * view.particles.velocity[point][axis];
+            }
+            sum[3] += mass;
+        }
+    }
+    transfer_velocity::<T, D>(sum)
+}
+
+/// The shift from a node to one of the cells whose functions reach it.
+#[inline(always)]
+fn below<S: ShapeFunction<T>, T: Scalar, const D: usize>(code: usize) -> [i32; D] {
+    let mut rest = code;
+    std::array::from_fn(|_| {
+        let back = rest % S::REACH;
+        rest /= S::REACH;
+        -(back as i32)
+    })
 }
 
 #[inline(always)]
@@ -104,14 +145,8 @@ where
     if !<M::Quadrature as Quadrature<T, D>>::CLASSIFIES {
         return true;
     }
-    let reach = M::Shape::REACH;
-    (0..reach.pow(D as u32)).all(|code| {
-        let mut rest = code;
-        let shift = std::array::from_fn(|_| {
-            let back = rest % reach;
-            rest /= reach;
-            -(back as i32)
-        });
+    (0..M::Shape::REACH.pow(D as u32)).all(|code| {
+        let shift = below::<M::Shape, T, D>(code);
         view.grid.neighbor(node, shift).is_none_or(|cell| {
             let kind = view.cells.kind.get(view.cells.slot_of[cell] as usize);
             kind == Some(&CellKind::Internal) || view.cells.is_solid(cell)

@@ -54,12 +54,13 @@ const WITH_VOLUMES: [Variant; 3] = [Variant::Tpm, Variant::TpmVp, Variant::TpmVp
 /// Methods whose points carry their volume.
 const CARRIED: [Variant; 4] = [Variant::Mpm, Variant::MpmVp, Variant::Gimp, Variant::Apic];
 /// Rules for the points of boundary cells by name.
-const VOLUMES: [(&str, PointVolume); 5] = [
+const VOLUMES: [(&str, PointVolume); 6] = [
     ("sphere", PointVolume::Sphere),
     ("carried-capped", PointVolume::CarriedCapped),
     ("volume-fraction", PointVolume::VolumeFraction),
     ("cell-center", PointVolume::CellCenter),
     ("plane", PointVolume::Plane),
+    ("balanced", PointVolume::Balanced),
 ];
 /// Name in place of a rule for methods without.
 const NO_VOLUME: &str = "carried";

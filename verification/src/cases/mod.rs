@@ -5,6 +5,7 @@ pub mod cell_means;
 pub mod channel;
 pub mod channel_vof;
 pub mod column;
+pub mod courant_limit;
 pub mod cylinder;
 pub mod dam_break;
 pub mod elastic_bar;
@@ -30,7 +31,7 @@ use crate::case::Case;
 use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 32] = [
+pub static ALL: [&dyn Case; 33] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -45,6 +46,7 @@ pub static ALL: [&dyn Case; 32] = [
     &elastic_bar::ElasticBarWave,
     &column::Column,
     &rivals::Rivals,
+    &courant_limit::CourantLimit,
     &benchmark::ALL[0],
     &benchmark::ALL[1],
     &benchmark::ALL[2],
