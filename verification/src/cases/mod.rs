@@ -30,7 +30,7 @@ use crate::case::Case;
 use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 32] = [
+pub static ALL: [&dyn Case; 34] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -59,6 +59,8 @@ pub static ALL: [&dyn Case; 32] = [
     &benchmark::ALL[11],
     &benchmark::ALL[12],
     &benchmark::ALL[13],
+    &benchmark::ALL[14],
+    &benchmark::ALL[15],
     &Ingredients,
     &operators::Operators,
     &spectral::Spectral,

@@ -1,8 +1,15 @@
-//! Problem `hydrostatic-tank`: water at rest in a closed tank, its surface in the middle of a row of cells.
+//! Problems `hydrostatic-tank` and `tilted-tank`: water at rest in a closed tank, its surface within cells.
 //!
-//! H = 1 m in (n + ½) cells, as wide as n of them, slip walls, c₀ = 10 √(gH), 20 H/c₀. The start is the equilibrium
-//! of [`HydrostaticColumn`] at the points, so that nothing should move. What moves is the error of the method: the
-//! forces on the nodes do not cancel where points are disordered or the cell is partly full.
+//! H = 1 m, slip walls, c₀ = 10 √(gH), 20 H/c₀. The start is the equilibrium of [`HydrostaticTank`] at the points, so
+//! that nothing should move. What moves is the error of the method: the forces on the nodes do not cancel where
+//! points are disordered or the cell is partly full.
+//!
+//! `hydrostatic-tank`: H in (n + ½) cells, as wide as n of them; the surface halves all of its cells.
+//!
+//! `tilted-tank`: gravity is turned by 30° towards +x, so that the deepest place is the lower right corner and the
+//! surface cuts cells obliquely, from 0.58 m at the left wall to 1.15 m at the right one, every cell at another height
+//! since its slope is irrational. 1 m wide in n cells. The points are those of the jittered lattice of the box that lie
+//! below the surface, with the mass of their boxes: the surface is known to within a point.
 
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::{Scene, Simulation};
@@ -10,8 +17,9 @@ use transpoint::{Scene, Simulation};
 use super::{End, ErrorKind, Gauge, Problem, Resolution, SetUp};
 use crate::cases::{free_surface, lattice};
 use crate::exact::hydrostatic_column::HydrostaticColumn;
+use crate::exact::hydrostatic_tank::HydrostaticTank;
 
-/// H, m.
+/// H, m; the width of the tilted tank too.
 const HEIGHT: f64 = 1.0;
 /// g, m/s².
 const GRAVITY: f64 = 9.81;
@@ -19,38 +27,99 @@ const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 1000.0;
 /// c₀/√(gH).
 const STIFFNESS: f64 = 10.0;
-/// Share of the cells of the surface that is wet.
+/// Share of the cells of the surface that is wet in the level tank.
 const THETA: f64 = 0.5;
 /// Cells of air above those.
 const AIR: usize = 1;
 /// Duration, H/c₀.
 const DURATION: f64 = 20.0;
 
-/// The problem `hydrostatic-tank`.
+/// A tank, by the direction of gravity.
 #[derive(Clone, Copy, Debug)]
-pub struct Tank;
+pub struct Tank {
+    /// Angle of gravity from −y towards +x, degrees, from 0 to 45.
+    degrees: f64,
+}
+
+/// The problem `hydrostatic-tank`.
+pub const LEVEL: Tank = Tank { degrees: 0.0 };
+
+/// The problem `tilted-tank`.
+pub const TILTED: Tank = Tank { degrees: 30.0 };
 
 /// √(gH), m/s.
 fn speed() -> f64 {
     (GRAVITY * HEIGHT).sqrt()
 }
 
-fn at_rest() -> HydrostaticColumn {
-    HydrostaticColumn {
-        height: HEIGHT,
-        gravity: GRAVITY,
-        density: DENSITY,
-        sound_speed: STIFFNESS * speed(),
+impl Tank {
+    /// The exact answer.
+    pub fn at_rest(&self) -> HydrostaticTank {
+        let (sine, cosine) = self.degrees.to_radians().sin_cos();
+        HydrostaticTank {
+            column: HydrostaticColumn {
+                height: HEIGHT,
+                gravity: GRAVITY,
+                density: DENSITY,
+                sound_speed: STIFFNESS * speed(),
+            },
+            down: [sine, -cosine],
+            // The lower right corner of the tilted tank.
+            floor: [if self.is_tilted() { HEIGHT } else { 0.0 }, 0.0],
+        }
+    }
+
+    fn is_tilted(&self) -> bool {
+        self.degrees > 0.0
+    }
+
+    /// Cells of the box along each axis.
+    fn cells(&self, cells: usize) -> [usize; 2] {
+        if self.is_tilted() {
+            // The surface is highest at the right wall.
+            let highest = HEIGHT / self.degrees.to_radians().cos() / self.spacing(cells);
+            [cells, highest.ceil() as usize + AIR]
+        } else {
+            [cells, cells + 1 + AIR]
+        }
+    }
+
+    fn points(&self, resolution: &Resolution) -> Vec<PointSpec<2>> {
+        let per_axis = resolution.points_per_axis;
+        let [wide, high] = self.cells(resolution.cells);
+        let h = self.spacing(resolution.cells);
+        // The lattice of the level tank ends at its surface, that of the tilted one at the box.
+        let rows = if self.is_tilted() {
+            high * per_axis
+        } else {
+            (HEIGHT / h * per_axis as f64).round() as usize
+        };
+        let across = h / per_axis as f64;
+        let along = if self.is_tilted() { across } else { HEIGHT / rows as f64 };
+        let tank = self.at_rest();
+        lattice::lattice([wide * per_axis, rows], 1.0, resolution.jitter, resolution.seed)
+            .into_iter()
+            .map(|[x, y]| [x * across, y * along])
+            .filter(|&position| !self.is_tilted() || tank.is_wet(position))
+            .map(|position| {
+                let density = tank.density(position);
+                PointSpec::new(position, [0.0; 2], density, density * across * along)
+            })
+            .collect()
     }
 }
 
 impl Problem<2> for Tank {
     fn name(&self) -> &'static str {
-        "hydrostatic-tank"
+        if self.is_tilted() { "tilted-tank" } else { "hydrostatic-tank" }
     }
 
     fn about(&self) -> &'static str {
-        "water at rest in a closed tank, surface in the middle of a cell, 20 H/c₀ (exact)"
+        if self.is_tilted() {
+            "water at rest in a closed tank, gravity turned by 30° against the grid, 20 H/c₀ (exact)"
+        } else {
+            "water at rest in a closed tank, surface in the middle of a cell, 20 H/c₀ (exact)"
+        }
     }
 
     fn levels(&self) -> &'static [usize] {
@@ -58,7 +127,7 @@ impl Problem<2> for Tank {
     }
 
     fn spacing(&self, cells: usize) -> f64 {
-        HEIGHT / (cells as f64 + THETA)
+        if self.is_tilted() { HEIGHT / cells as f64 } else { HEIGHT / (cells as f64 + THETA) }
     }
 
     fn errors(&self) -> &'static [ErrorKind] {
@@ -78,41 +147,30 @@ impl Problem<2> for Tank {
     }
 
     fn set_up(&self, resolution: &Resolution) -> SetUp<2> {
-        let (cells, per_axis) = (resolution.cells, resolution.points_per_axis);
-        let h = self.spacing(cells);
-        let rows = (HEIGHT / h * per_axis as f64).round() as usize;
-        let [across, along] = [h / per_axis as f64, HEIGHT / rows as f64];
-        let column = at_rest();
-        let counts = [cells * per_axis, rows];
-        let points = lattice::lattice(counts, 1.0, resolution.jitter, resolution.seed)
-            .into_iter()
-            .map(|[x, y]| {
-                let position = [x * across, y * along];
-                let density = column.density(position[1]);
-                PointSpec::new(position, [0.0; 2], density, density * across * along)
-            })
-            .collect();
+        let h = self.spacing(resolution.cells);
+        let tank = self.at_rest();
+        let sound_speed = tank.column.sound_speed;
+        let cells = self.cells(resolution.cells);
         let mut scene = Scene::new(
-            GridSpec { origin: [0.0; 2], spacing: [h; 2], cells: [cells, cells + 1 + AIR] },
+            GridSpec { origin: [0.0; 2], spacing: [h; 2], cells },
             [[Boundary::Slip; 2]; 2],
-            EquationOfStateSpec::WeaklyCompressible {
-                reference_density: DENSITY,
-                sound_speed: column.sound_speed,
-            },
-            points,
+            EquationOfStateSpec::WeaklyCompressible { reference_density: DENSITY, sound_speed },
+            self.points(resolution),
         );
-        scene.body_force = [0.0, -GRAVITY];
+        scene.body_force = tank.acceleration();
         let relaxation = free_surface::INFLOW_RELAXATION;
-        let settings = free_surface::settings(per_axis, h, column.sound_speed, relaxation);
-        SetUp { scene, settings, end: DURATION * HEIGHT / column.sound_speed }
+        let settings =
+            free_surface::settings(resolution.points_per_axis, h, sound_speed, relaxation);
+        SetUp { scene, settings, end: DURATION * HEIGHT / sound_speed }
     }
 
     fn gauge(&self, _resolution: &Resolution) -> Box<dyn Gauge<2>> {
-        Box::new(Rest { largest: 0.0 })
+        Box::new(Rest { tank: self.at_rest(), largest: 0.0 })
     }
 }
 
 struct Rest {
+    tank: HydrostaticTank,
     /// Largest |v|² of any point so far, m²/s².
     largest: f64,
 }
@@ -125,10 +183,9 @@ impl Gauge<2> for Rest {
     }
 
     fn errors(&mut self, end: &End<'_, 2>) -> Vec<f64> {
-        let column = at_rest();
         let (mut volume, mut pressure, mut velocity) = (0.0, 0.0, 0.0);
         for point in end.simulation.observe().points {
-            let error = point.pressure - column.pressure(point.position[1]);
+            let error = point.pressure - self.tank.pressure(point.position);
             volume += point.volume();
             pressure += point.volume() * error * error;
             velocity += point.volume() * point.velocity.iter().map(|v| v * v).sum::<f64>();
@@ -149,11 +206,32 @@ mod tests {
     fn the_water_weighs_what_it_should() {
         for points_per_axis in [2, 3] {
             let resolution = Resolution { cells: 8, points_per_axis, jitter: 0.0, seed: 1 };
-            let scene = Tank.set_up(&resolution).scene;
+            let scene = LEVEL.set_up(&resolution).scene;
             let mass: f64 = scene.points.iter().map(|point| point.mass).sum();
             let width = 8.0 * scene.grid.spacing[0];
-            let exact = width * at_rest().mass(0.0, HEIGHT);
+            let exact = width * LEVEL.at_rest().column.mass(0.0, HEIGHT);
             assert!((mass / exact - 1.0).abs() < 1e-6, "{mass} {exact}");
+            assert_eq!(scene.body_force, [0.0, -GRAVITY]);
+        }
+    }
+
+    /// A trapezoid between 1/√3 and 2/√3 of the height, under water of all depths down to H.
+    #[test]
+    fn the_tilted_water_fills_a_trapezoid() {
+        for cells in TILTED.levels() {
+            let resolution = Resolution { cells: *cells, points_per_axis: 2, jitter: 0.3, seed: 1 };
+            let scene = TILTED.set_up(&resolution).scene;
+            let volume: f64 = scene.points.iter().map(|point| point.mass / point.density).sum();
+            // The surface is known to within half a point, at random along it.
+            assert!((volume - 0.75_f64.sqrt()).abs() < 0.02, "{volume}");
+            let box_height = scene.grid.spacing[1] * scene.grid.cells[1] as f64;
+            assert!(box_height > 2.0 / 3.0_f64.sqrt() + scene.grid.spacing[1]);
+            let depth = |point: &PointSpec<2>| HEIGHT - TILTED.at_rest().height(point.position);
+            let depths = scene.points.iter().map(depth);
+            let (least, most) = depths.fold((1.0, 0.0), |(least, most): (f64, f64), depth| {
+                (least.min(depth), most.max(depth))
+            });
+            assert!(least > 0.0 && least < 0.01 && most > 0.9 && most < 1.0, "{least} {most}");
         }
     }
 }
