@@ -22,9 +22,10 @@ impl HydrostaticTank {
         -self.down[0] * (x - self.floor[0]) - self.down[1] * (y - self.floor[1])
     }
 
-    /// Whether a place is below the surface.
-    pub fn is_wet(&self, position: [f64; 2]) -> bool {
-        self.height(position) < self.column.height
+    /// y of the surface at x, m, where gravity has a part along −y.
+    pub fn surface(&self, x: f64) -> f64 {
+        let height = self.column.height + self.down[0] * (x - self.floor[0]);
+        self.floor[1] - height / self.down[1]
     }
 
     /// Density ρ, kg/m³.
@@ -90,7 +91,8 @@ mod tests {
         for along in [-0.4, 0.0, 1.3] {
             let up = |height: f64| [0.7 - height * x - along * y, 0.1 - height * y + along * x];
             assert!(tank.pressure(up(0.8)).abs() < 1e-8);
-            assert!(tank.is_wet(up(0.79)) && !tank.is_wet(up(0.81)));
+            let [at, surface] = up(0.8);
+            assert!((tank.surface(at) - surface).abs() < 1e-14);
             assert!((tank.pressure(up(0.0)) / tank.column.pressure(0.0) - 1.0).abs() < 1e-12);
         }
     }

@@ -25,7 +25,7 @@ impl Goal {
     }
 
     /// Between two numbers.
-    pub(super) const fn within(quantity: &'static str, lower: f64, upper: f64) -> Self {
+    pub(super) const fn within(quantity: &'static str, [lower, upper]: [f64; 2]) -> Self {
         Self { quantity, lower, upper }
     }
 

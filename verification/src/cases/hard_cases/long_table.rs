@@ -9,12 +9,14 @@ use crate::record::RunRecord;
 use crate::report::table::{Cell, Table};
 
 /// Columns of each run, and the quantity of a number.
-const COLUMNS: [(&str, Option<&str>); 8] = [
+const COLUMNS: [(&str, Option<&str>); 10] = [
     ("", None),
     (" periods", None),
-    (" drift per period", Some("drift-per-period")),
-    (" growth per period", Some("growth-per-period")),
-    (" energy change", Some("energy-change")),
+    (" energy per period", Some("energy-drift")),
+    (" motion per period", Some("motion-drift")),
+    (" growth per period", Some("growth")),
+    (" mass", Some("mass-over-start")),
+    (" potential", Some("potential-over-start")),
     (" rms v after 100", Some("rms-velocity-100")),
     (" rms v at the end", Some("rms-velocity-end")),
     (" max v", Some("largest-velocity")),
@@ -43,8 +45,8 @@ pub(super) fn table(records: &[RunRecord], variants: &[&str]) -> Option<Table> {
     let criteria = CASES.map(|case| format!("{}: {}.", case.name, case.criterion)).join(" ");
     let note = format!(
         "{criteria} ✓ holds, ✗ does not, with the number that fails or what burst and where; growth is judged less \
-         twice its standard error. Velocities over ΩR in the drop, after 100 periods, and over √(gH) in the tank, after \
-         100 H/c: docs/hard-cases.md."
+         twice its standard error. Mass, and potential energy per mass, over those at the start. Velocities over ΩR in \
+         the drop, after 100 periods, and over √(gH) in the tank, after 100 H/c: docs/hard-cases.md."
     );
     (!rows.is_empty()).then_some(Table { columns, rows, note })
 }
