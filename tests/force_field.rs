@@ -13,7 +13,7 @@ use transpoint::scene::{
 };
 use transpoint::shape::Linear;
 use transpoint::transfer::Pic;
-use transpoint::{Settings, Simulation, Variant};
+use transpoint::{Settings, Variant};
 
 const DT: f64 = 1e-3;
 /// Those whose points are the samples, so that mass and momentum of points and nodes are the same.
