@@ -2,10 +2,12 @@
 
 mod body;
 mod central_force;
+mod force_field;
 mod inlet;
 
 pub use body::{BodyShape, BodySpec, BodySurface};
 pub use central_force::CentralForce;
+pub use force_field::{Acceleration, ForceField};
 pub use inlet::{InletProfile, InletSpec, Side, Supply};
 
 use serde::{Deserialize, Serialize};
@@ -173,6 +175,9 @@ pub struct Scene<const D: usize> {
     /// Acceleration towards a point, in proportion to the distance, besides `body_force`; absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub central_force: Option<CentralForce<D>>,
+    /// Acceleration as a function of place and time, besides both; absent: none. Scene files have none.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub force_field: Option<ForceField<D>>,
     /// Kinematic viscosity ν, m²/s; absent: inviscid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<f64>,
@@ -209,6 +214,7 @@ impl<const D: usize> Scene<D> {
             equation_of_state,
             body_force: [0.0; D],
             central_force: None,
+            force_field: None,
             viscosity: None,
             shear_modulus: None,
             energy: false,

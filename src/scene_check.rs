@@ -32,6 +32,7 @@ pub fn check_points<T: Scalar, const D: usize>(
         }
     }
     check_central_force(scene)?;
+    check_force_field(scene)?;
     for (id, point) in scene.points.iter().enumerate() {
         let field = |name: &str| format!("points[{id}].{name}");
         for (name, value) in [("density", point.density), ("mass", point.mass)] {
@@ -78,6 +79,24 @@ fn check_central_force<const D: usize>(scene: &Scene<D>) -> Result<(), InvalidIn
     if !scene.inlets.is_empty() {
         let allowed = "absent where there are inlets: their pressure is that of the uniform force";
         return Err(InvalidInput::new("central_force", "present", allowed));
+    }
+    Ok(())
+}
+
+/// A field of force is finite where the points are at the start, and no opening contradicts it.
+fn check_force_field<const D: usize>(scene: &Scene<D>) -> Result<(), InvalidInput> {
+    let Some(field) = &scene.force_field else { return Ok(()) };
+    for (id, point) in scene.points.iter().enumerate() {
+        let acceleration = field.at(point.position, 0.0);
+        if acceleration.iter().any(|b| !b.is_finite()) {
+            let value = format!("`{}` with {acceleration:?}", field.name());
+            let allowed = format!("finite at points[{id}], in m/s²");
+            return Err(InvalidInput::new("force_field", value, allowed));
+        }
+    }
+    if !scene.inlets.is_empty() {
+        let allowed = "absent where there are inlets: their pressure is that of the uniform force";
+        return Err(InvalidInput::new("force_field", format!("`{}`", field.name()), allowed));
     }
     Ok(())
 }

@@ -17,7 +17,7 @@ use crate::quadrature::{
 };
 use crate::rearrangement::{Ledger, RearrangerOf};
 use crate::reconstruction::Columns;
-use crate::scene::Scene;
+use crate::scene::{ForceField, Scene};
 use crate::scene_check::{
     box_edge, check_energy_update, check_material, check_points, check_samples, linear_law,
     minimum_density,
@@ -26,9 +26,9 @@ use crate::settings::PressureLimiter;
 use crate::shape::ShapeFunction;
 use crate::smoothing::SmootherOf;
 use crate::step::{
-    AffineOf, CellMean, CellSamples, Center, Central, GridState, NodeForces, ParticlesOf, Pass,
-    Physics, ScatterParts, StateOf, StateSource, View, add_central_force, constrain, divergence,
-    fuses_impulse, gather_columns, grid_to_particles, increment_energy, limit_pressure,
+    AffineOf, CellMean, CellSamples, Center, Central, FieldAt, GridState, NodeForces, ParticlesOf,
+    Pass, Physics, ScatterParts, StateOf, StateSource, View, add_acceleration, constrain,
+    divergence, fuses_impulse, gather_columns, grid_to_particles, increment_energy, limit_pressure,
     node_velocity, particles_to_grid, rebuild_centers, update_grid,
 };
 use crate::telemetry::Counters;
@@ -47,6 +47,8 @@ where
     pub method: M,
     /// What the scene prescribes.
     pub physics: Physics<T, D, K>,
+    /// Acceleration as a function of place and time, besides that of `physics`.
+    pub force_field: Option<ForceField<D>>,
     /// The background grid.
     pub grid: Grid<T, D>,
     /// The points, sorted by cell at the start of each step.
@@ -132,6 +134,7 @@ where
         let mut solver = Self {
             method,
             physics,
+            force_field: scene.force_field.clone(),
             cells: Cells::new(&grid),
             nodes: Nodes::new(&grid),
             grid,
@@ -305,7 +308,7 @@ where
 
     /// Nodes → nodes: the velocity at the end of the step.
     pub fn update_grid(&mut self, dt: T) {
-        let Self { method, physics, grid, nodes, .. } = self;
+        let Self { method, physics, force_field, grid, nodes, time, .. } = self;
         let Nodes { index, velocity, increment, transfer, force, walls, held, .. } = nodes;
         let mut bodies = self.bodies.as_mut();
         let (forces, masses) = if fuses_impulse::<T, D, M>() {
@@ -323,9 +326,14 @@ where
             bodies.note_held(held, velocity, share);
         }
         update_grid(dt, physics.body_force, forces, (velocity, increment));
+        let place = (&*grid, &method.shape());
         if let Some(central) = &physics.central_force {
             let rows = (index.as_slice(), velocity.as_mut_slice(), increment.as_mut_slice());
-            add_central_force(dt, central, (grid, &method.shape()), masses, rows);
+            add_acceleration(dt, central, place, masses, rows);
+        }
+        if let Some(field) = force_field {
+            let rows = (index.as_slice(), velocity.as_mut_slice(), increment.as_mut_slice());
+            add_acceleration(dt, &FieldAt { field, time: *time }, place, masses, rows);
         }
         if let Some(bodies) = &mut bodies {
             bodies.note_increment(held, increment, T::one());

@@ -5,6 +5,7 @@ use crate::material::Material;
 use crate::method::Method;
 use crate::simulation::StableTimeStep;
 use crate::solver::Solver;
+use crate::step::{FieldAt, LocalAcceleration};
 use crate::time_step;
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
@@ -30,18 +31,9 @@ where
             speed = speed.max(crate::math::dot(*v, *v));
         }
         let mut acceleration = physics.body_force.map(nalgebra::ComplexField::abs);
-        let mut rate = T::zero();
-        if let Some(central) = &physics.central_force {
-            rate = central.rate_squared.sqrt();
-            let uniform = acceleration;
-            for &position in &p.position {
-                let towards = central.acceleration(position);
-                for axis in 0..D {
-                    acceleration[axis] =
-                        acceleration[axis].max(uniform[axis] + towards[axis].abs());
-                }
-            }
-        }
+        let rate =
+            physics.central_force.as_ref().map_or(T::zero(), |force| force.rate_squared.sqrt());
+        self.raise_to_local_forces(&mut acceleration);
         let limits = [
             ("acoustic", time_step::acoustic_cell(spacing, longitudinal)),
             ("advective", time_step::advective(spacing, speed.sqrt())),
@@ -54,5 +46,23 @@ where
             if dt < least.1 { (name, dt) } else { least }
         });
         StableTimeStep { dt: courant * dt, limit }
+    }
+
+    /// Adds to the size of the uniform acceleration the largest of what depends on the place, at the points.
+    fn raise_to_local_forces(&self, acceleration: &mut [T; D]) {
+        let central = self.physics.central_force.as_ref();
+        let field = self.force_field.as_ref().map(|field| FieldAt { field, time: self.time });
+        if central.is_none() && field.is_none() {
+            return;
+        }
+        let uniform = *acceleration;
+        for &position in &self.particles.position {
+            let towards = central.map_or([T::zero(); D], |force| force.acceleration(position));
+            let there = field.map_or([T::zero(); D], |field| field.acceleration(position));
+            for axis in 0..D {
+                let local = (towards[axis] + there[axis]).abs();
+                acceleration[axis] = acceleration[axis].max(uniform[axis] + local);
+            }
+        }
     }
 }

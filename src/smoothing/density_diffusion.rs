@@ -2,12 +2,13 @@
 
 use crate::Scalar;
 use crate::cells::CellKind;
+use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
 use crate::parallel::for_each_block;
 use crate::settings::StressUpdate;
 use crate::solver::Solver;
-use crate::step::CELL_GRAIN;
+use crate::step::{CELL_GRAIN, FieldAt, LocalAcceleration};
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
 where
@@ -31,7 +32,7 @@ where
                 self.rebuild_cells();
             }
             kept.at_cells.resize(self.cells.len(), T::zero());
-            let Self { physics, grid, cells, centers, .. } = &*self;
+            let Self { physics, force_field, grid, cells, centers, time, .. } = &*self;
             let law = &physics.equation_of_state;
             for_each_block(
                 cells.len(),
@@ -60,11 +61,13 @@ where
                                 let mean = T::lit(0.5) * (here.density + there);
                                 let distance = T::lit(f64::from(side)) * grid.spacing[axis];
                                 let mut force = physics.body_force[axis];
+                                let face = || face_center(grid, cell, axis, side);
                                 if let Some(central) = &physics.central_force {
-                                    let half = T::lit(0.5 * f64::from(1 + side));
-                                    let face = grid.origin[axis]
-                                        + grid.spacing[axis] * (T::from_index(cell[axis]) + half);
-                                    force += central.rate_squared * (central.center[axis] - face);
+                                    force += central.acceleration(face())[axis];
+                                }
+                                if let Some(field) = force_field {
+                                    let now = FieldAt { field, time: *time };
+                                    force += now.acceleration(face())[axis];
                                 }
                                 let rest = mean * force * distance * slope_per_density;
                                 *out += (there - here.density - rest) * grid.inverse_spacing[axis];
@@ -81,4 +84,17 @@ where
         }
         self.smoother = Some(kept);
     }
+}
+
+/// The center of a face of a cell, m: the upper one along the axis for `side` 1, the lower one for −1.
+fn face_center<T: Scalar, const D: usize>(
+    grid: &Grid<T, D>,
+    cell: [usize; D],
+    axis: usize,
+    side: i32,
+) -> [T; D] {
+    std::array::from_fn(|k| {
+        let shift = if k == axis { 0.5 * f64::from(1 + side) } else { 0.5 };
+        grid.origin[k] + grid.spacing[k] * (T::from_index(cell[k]) + T::lit(shift))
+    })
 }

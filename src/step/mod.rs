@@ -2,12 +2,12 @@
 
 mod cell_divergence;
 mod centers;
-mod central_force;
 mod columns;
 mod gather;
 mod grid_to_particles;
 mod interpolate;
 mod limit_pressure;
+mod nodal_acceleration;
 mod node_velocity;
 mod particles_to_grid;
 mod settle;
@@ -17,11 +17,11 @@ mod stretch;
 mod update_grid;
 
 pub use centers::{CellSamples, Center, divergence, rebuild_centers};
-pub use central_force::{Central, add_central_force};
 pub use columns::{centers_read, gather_columns, nodes_read};
 pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
 pub use interpolate::{divergence_at_points, gradients_at_points, interpolate};
 pub use limit_pressure::{CellMean, limit_pressure};
+pub use nodal_acceleration::{Central, FieldAt, LocalAcceleration, add_acceleration};
 pub use node_velocity::{node_velocity, transfer_velocity};
 pub use particles_to_grid::{ScatterParts, fuses_impulse, particles_to_grid};
 pub(crate) use settle::settle;

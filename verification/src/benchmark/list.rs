@@ -4,12 +4,12 @@ use transpoint::Variant;
 
 use super::{AnyProblem, Benchmark};
 use crate::problems::{
-    advected_wave, cavity, drop, gravity_wave, gresho, hydrostatic_tank, loaded_column, poiseuille,
-    pressure_pulse, riemann_tube, solitary_wave, taylor_green,
+    advected_wave, cavity, drop, generalized_vortex, gravity_wave, gresho, hydrostatic_tank,
+    loaded_column, poiseuille, pressure_pulse, riemann_tube, solitary_wave, taylor_green,
 };
 
 /// The problems, in the order of the page.
-pub static ALL: [Benchmark; 14] = [
+pub static ALL: [Benchmark; 16] = [
     Benchmark(AnyProblem::Line(&advected_wave::AdvectedWave)),
     Benchmark(AnyProblem::Line(&riemann_tube::RiemannTube)),
     Benchmark(AnyProblem::Plane(&pressure_pulse::PressurePulse)),
@@ -19,11 +19,13 @@ pub static ALL: [Benchmark; 14] = [
     Benchmark(AnyProblem::Plane(&gresho::GreshoVortex)),
     Benchmark(AnyProblem::Plane(&cavity::LidCavity)),
     Benchmark(AnyProblem::Line(&loaded_column::SuddenLoad)),
-    Benchmark(AnyProblem::Plane(&hydrostatic_tank::Tank)),
+    Benchmark(AnyProblem::Plane(&hydrostatic_tank::LEVEL)),
+    Benchmark(AnyProblem::Plane(&hydrostatic_tank::TILTED)),
     Benchmark(AnyProblem::Plane(&gravity_wave::StandingGravityWave)),
     Benchmark(AnyProblem::Plane(&solitary_wave::RunningWave)),
     Benchmark(AnyProblem::Plane(&drop::ELLIPTICAL)),
     Benchmark(AnyProblem::Plane(&drop::OSCILLATING)),
+    Benchmark(AnyProblem::Plane(&generalized_vortex::TurnedAnnulus)),
 ];
 
 /// The methods compared: those that every case compares, and of their rivals the ones that differ most.

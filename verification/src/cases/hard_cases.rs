@@ -9,6 +9,8 @@
 //! [`free_surface`], carried fields then with the stress updated modified-last; what a variant
 //! fixes comes before that. Rearrangement is on in `vortex` and `ledger` alone. A run that bursts is a result.
 //!
+//! Two long runs of flows with a free surface stand beside hard case 4 in a table of their own, `long_runs.rs`.
+//!
 //! A hard case that a method fails is data and fails no check. What is checked is that the verdicts are those on
 //! record in `hard_cases/verdicts.csv`, a snapshot. The artifact `hard_cases_verdicts` of the full tier has the same
 //! form: where a verdict is meant to change, copy it there.
@@ -20,6 +22,8 @@ mod impact;
 mod ledger;
 mod list;
 mod locking;
+mod long_runs;
+mod long_table;
 mod mach_courant;
 mod results;
 mod single_points;
@@ -79,8 +83,8 @@ impl Case for HardCases {
 
     fn policy(&self) -> String {
         format!(
-            "Closed scenes: {:?}. Free surfaces: {} Relaxation {INFLOW_RELAXATION} h/c₀ in `tension`. What a variant \
-             fixes comes before that.",
+            "Closed scenes: {:?}. Free surfaces: {} Relaxation {INFLOW_RELAXATION} h/c₀ in `tension` and in the long \
+             runs. What a variant fixes comes before that.",
             Settings::default(),
             free_surface::text("carried fields")
         )

@@ -31,7 +31,7 @@ use crate::case::Case;
 use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 33] = [
+pub static ALL: [&dyn Case; 35] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -61,6 +61,8 @@ pub static ALL: [&dyn Case; 33] = [
     &benchmark::ALL[11],
     &benchmark::ALL[12],
     &benchmark::ALL[13],
+    &benchmark::ALL[14],
+    &benchmark::ALL[15],
     &Ingredients,
     &operators::Operators,
     &spectral::Spectral,

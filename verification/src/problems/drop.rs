@@ -47,6 +47,11 @@ pub const ELLIPTICAL: Drop =
 pub const OSCILLATING: Drop =
     Drop { rate: 0.5, force_rate: 1.0, sound_speed: 10.0, half: [2, 2], levels: &[6, 8, 12, 16] };
 
+/// The oscillating drop with another speed of sound, m/s.
+pub const fn oscillating(sound_speed: f64) -> Drop {
+    Drop { sound_speed, ..OSCILLATING }
+}
+
 impl Drop {
     fn exact(&self) -> EllipticalDrop {
         EllipticalDrop {
@@ -61,13 +66,18 @@ impl Drop {
         self.force_rate > 0.0
     }
 
+    /// Period of the oscillation of a drop that is held, s.
+    pub fn period(&self) -> f64 {
+        self.exact().period()
+    }
+
     /// The middle of the box, m; its lower corner is the origin.
-    fn center(&self) -> [f64; 2] {
+    pub fn center(&self) -> [f64; 2] {
         self.half.map(|half| half as f64 * RADIUS)
     }
 
     fn end(&self) -> f64 {
-        if self.is_held() { PERIODS * self.exact().period() } else { 1.0 / self.rate }
+        if self.is_held() { PERIODS * self.period() } else { 1.0 / self.rate }
     }
 
     fn points(&self, resolution: &Resolution) -> Vec<PointSpec<2>> {

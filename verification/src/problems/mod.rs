@@ -6,6 +6,7 @@
 pub mod advected_wave;
 pub mod cavity;
 pub mod drop;
+pub mod generalized_vortex;
 pub mod gravity_wave;
 pub mod gresho;
 pub mod hydrostatic_tank;

@@ -1,8 +1,8 @@
-//! The sixteen hard cases and the runs that they are judged by.
+//! The sixteen hard cases and the runs that they are judged by, and two long runs that judge none of them.
 
 use super::trial::{Measured, Trial};
 use super::{
-    cell_crossing, checkerboard, frozen_spectrum, impact, ledger, locking, mach_courant,
+    cell_crossing, checkerboard, frozen_spectrum, impact, ledger, locking, long_runs, mach_courant,
     single_points, slender_cells, small_cut, tension, vortex, waves,
 };
 use crate::case::Tier;
@@ -22,6 +22,11 @@ impl Goal {
     /// At most a number.
     pub(super) const fn below(quantity: &'static str, upper: f64) -> Self {
         Self { quantity, lower: f64::NEG_INFINITY, upper }
+    }
+
+    /// Between two numbers.
+    pub(super) const fn within(quantity: &'static str, [lower, upper]: [f64; 2]) -> Self {
+        Self { quantity, lower, upper }
     }
 
     /// At least a number.
@@ -64,7 +69,7 @@ pub(super) struct Run {
 }
 
 /// Every run.
-pub(super) static RUNS: [Run; 14] = [
+pub(super) static RUNS: [Run; 16] = [
     cell_crossing::RUN,
     waves::DISORDER_RUN,
     frozen_spectrum::RUN,
@@ -79,6 +84,8 @@ pub(super) static RUNS: [Run; 14] = [
     slender_cells::RUN,
     impact::RUN,
     ledger::RUN,
+    long_runs::DROP_RUN,
+    long_runs::TANK_RUN,
 ];
 
 /// Every hard case, in the order of the atlas.

@@ -4,6 +4,7 @@ use transpoint::Variant;
 
 use super::NAME;
 use super::list::{CASES, HardCase};
+use super::long_table;
 use super::verdict::{COLUMNS, Verdict, digits, find, on_record, tally};
 use crate::cases::errors::artifact;
 use crate::judge::Check;
@@ -43,7 +44,7 @@ pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
     let names = Variant::ALL.map(Variant::name);
     let variants: Vec<&str> = names.iter().copied().filter(|variant| has(variant)).collect();
     let table = |stem, title, table| artifact(stem, title, Content::Table(table));
-    vec![
+    let mut artifacts = vec![
         table("hard_cases_passed", "Hard cases passed", passed(records, &variants)),
         table(
             "hard_cases_atlas",
@@ -56,7 +57,11 @@ pub(super) fn artifacts(records: &[RunRecord], policy: &str) -> Vec<Artifact> {
             "Verdicts in the form of the snapshot",
             Content::Profiles(verdicts(records, &variants)),
         ),
-    ]
+    ];
+    if let Some(long) = long_table::table(records, &variants) {
+        artifacts.push(table("hard_cases_long", "Long runs with a free surface", long));
+    }
+    artifacts
 }
 
 fn atlas(records: &[RunRecord], variants: &[&str], policy: &str) -> Table {

@@ -1,11 +1,17 @@
-//! Nodes → nodes: the force towards a point.
+//! Nodes → nodes: accelerations that depend on the place, towards a point or of a field.
 
 use super::NODE_GRAIN;
 use crate::Scalar;
 use crate::grid::Grid;
 use crate::parallel::for_each_block;
-use crate::scene::CentralForce;
+use crate::scene::{CentralForce, ForceField};
 use crate::shape::ShapeFunction;
+
+/// An acceleration that depends on the place.
+pub trait LocalAcceleration<T, const D: usize>: Sync {
+    /// b at a position, m/s².
+    fn acceleration(&self, position: [T; D]) -> [T; D];
+}
 
 /// The acceleration b = −Ω² (x − x_c).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,11 +28,6 @@ impl<T: Scalar, const D: usize> Central<T, D> {
         Self { center: force.center.map(T::lit), rate_squared: T::lit(force.rate * force.rate) }
     }
 
-    /// b at a position, m/s².
-    pub fn acceleration(&self, position: [T; D]) -> [T; D] {
-        std::array::from_fn(|axis| self.rate_squared * (self.center[axis] - position[axis]))
-    }
-
     /// ½ Ω² |x − x_c|² of a position, J/kg.
     pub fn potential(&self, position: [T; D]) -> T {
         let square = (0..D)
@@ -36,11 +37,32 @@ impl<T: Scalar, const D: usize> Central<T, D> {
     }
 }
 
-/// Adds Δt b of each node with mass to velocity and increment, after
+impl<T: Scalar, const D: usize> LocalAcceleration<T, D> for Central<T, D> {
+    fn acceleration(&self, position: [T; D]) -> [T; D] {
+        std::array::from_fn(|axis| self.rate_squared * (self.center[axis] - position[axis]))
+    }
+}
+
+/// A field of force at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FieldAt<'a, const D: usize> {
+    /// The field.
+    pub field: &'a ForceField<D>,
+    /// Time, s.
+    pub time: f64,
+}
+
+impl<T: Scalar, const D: usize> LocalAcceleration<T, D> for FieldAt<'_, D> {
+    fn acceleration(&self, position: [T; D]) -> [T; D] {
+        self.field.at(position.map(T::as_f64), self.time).map(T::lit)
+    }
+}
+
+/// Adds Δt b(x) of each node with mass to velocity and increment, after
 /// [`update_grid`](super::update_grid); `masses` are the last entries.
-pub fn add_central_force<T: Scalar, const D: usize, S: ShapeFunction<T>>(
+pub fn add_acceleration<T: Scalar, const D: usize, S: ShapeFunction<T>>(
     dt: T,
-    force: &Central<T, D>,
+    local: &impl LocalAcceleration<T, D>,
     (grid, shape): (&Grid<T, D>, &S),
     masses: &[[T; 4]],
     (index, velocity, increment): (&[u32], &mut [[T; 4]], &mut [[T; 4]]),
@@ -50,7 +72,7 @@ pub fn add_central_force<T: Scalar, const D: usize, S: ShapeFunction<T>>(
         let rows = index[nodes.clone()].iter().zip(&masses[nodes]);
         for ((&node, mass), (v, dv)) in rows.zip(velocity.iter_mut().zip(increment)) {
             if mass[3] > T::zero() {
-                let acceleration = force.acceleration(node_position(grid, shape, node));
+                let acceleration = local.acceleration(node_position(grid, shape, node));
                 for axis in 0..D {
                     dv[axis] += dt * acceleration[axis];
                     v[axis] += dt * acceleration[axis];
