@@ -5,6 +5,7 @@
 //! of the spectral radius of the step on each of the waves that fit into the line ([`theory`]).
 
 mod run;
+mod symbols;
 mod theory;
 
 use std::collections::BTreeMap;
@@ -16,7 +17,7 @@ use super::errors::artifact;
 use super::free_surface;
 use crate::case::{Case, Findings, RunSpec, Tier};
 use crate::convergence::Order;
-use crate::judge::{Check, Miss};
+use crate::judge::Check;
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::table::{Cell, Table};
@@ -124,10 +125,6 @@ impl Case for CourantLimit {
         records.iter().filter_map(check).collect()
     }
 
-    fn misses(&self) -> &'static [Miss] {
-        &MISSES
-    }
-
     fn orders(&self, _records: &[RunRecord]) -> Vec<Order> {
         Vec::new()
     }
@@ -137,9 +134,6 @@ impl Case for CourantLimit {
         vec![artifact("courant_limit", title, Content::Table(table(records, &self.policy())))]
     }
 }
-
-/// Where run and theory differ by more, and why.
-const MISSES: [Miss; 0] = [];
 
 fn spec(variant: Variant, n_points: usize) -> RunSpec {
     let parameters =

@@ -14,19 +14,14 @@
 
 use nalgebra::{Complex, DMatrix, RowDVector};
 use transpoint::formulation::{Formulation, PointDivergence};
-use transpoint::shape::{
-    AxisPosition, ConvectedGimp, Corrected, CubicBspline, DualDomain, Gimp, LeastSquares, Linear,
-    QuadraticBspline, ShapeFunction, Staggered,
-};
-use transpoint::variants::{Blend, Fields, Kernel, ProjectionKind, StressUpdate, TransferKind};
+use transpoint::variants::{Blend, Fields, ProjectionKind, StressUpdate, TransferKind};
 use transpoint::{Settings, Variant};
+
+use super::symbols::{Function, MIDDLE, fit, functions};
 
 type C = Complex<f64>;
 /// A quantity as a linear function of the state of a cell.
 type Functional = RowDVector<C>;
-
-/// Cells of the lattice whose functions are evaluated, far from the ends.
-const CELLS: usize = 64;
 
 /// Why there is no theory for a variant; what it has in common with others is covered by those.
 pub(super) fn reason(variant: Variant) -> Option<&'static str> {
@@ -100,14 +95,13 @@ impl Wave {
             of_cell: phase(1.0) - phase(0.0),
             phase: phase(1.0),
         };
-        let middle = CELLS / 2;
         for p in 0..n {
             let xi = (p as f64 + 0.5) / n as f64;
             let (mut value, mut slope, mut moment, mut spread) = (C::ZERO, C::ZERO, C::ZERO, 0.0);
-            for Function { place, weight, gradient } in functions(variant, &settings, middle, xi) {
+            for Function { place, weight, gradient } in functions(variant, &settings, xi) {
                 // The phase counts from the lower corner of the cell, whatever the family's nodes stand at.
-                let turn = phase((place.0 as f64) - middle as f64);
-                let distance = place.1 - (middle as f64 + xi);
+                let turn = phase((place.0 as f64) - MIDDLE as f64);
+                let distance = place.1 - (MIDDLE as f64 + xi);
                 value += turn * weight;
                 slope += turn * gradient;
                 moment += turn * (weight * distance);
@@ -286,62 +280,6 @@ fn spectral_radius(mut matrix: DMatrix<C>) -> f64 {
         matrix = &matrix * &matrix;
     }
     logarithm.exp()
-}
-
-/// What a fit at `target` (cells from a cell's lower end) takes of each point of a cell: the splines of all cells around,
-/// over their sum.
-fn fit(n: usize, target: f64, support: f64, theta: f64) -> Vec<C> {
-    let spline = |r: f64| (1.0 - r.abs()).max(0.0).powi(3) - 4.0 * (0.5 - r.abs()).max(0.0).powi(3);
-    let reach = support.ceil() as i32 + 1;
-    let mut weights = vec![C::ZERO; n];
-    let mut total = 0.0;
-    for cell in -reach..=reach {
-        for (p, weight) in weights.iter_mut().enumerate() {
-            let place = f64::from(cell) + (p as f64 + 0.5) / n as f64;
-            let spline = spline((place - target) / support);
-            *weight += C::from_polar(spline, theta * f64::from(cell));
-            total += spline;
-        }
-    }
-    weights.into_iter().map(|weight| weight / total).collect()
-}
-
-/// One function at a point.
-struct Function {
-    /// Number of its node, and the node's place in cells.
-    place: (usize, f64),
-    weight: f64,
-    gradient: f64,
-}
-
-/// The functions of a variant at a point of a cell.
-fn functions(variant: Variant, settings: &Settings, cell: usize, xi: f64) -> Vec<Function> {
-    let at = AxisPosition { cell, xi, n_cells: CELLS, periodic: true };
-    let lengths = [settings.gimp_length; 3];
-    match variant.parts().kernel {
-        Kernel::Linear => at_nodes(&Linear, at),
-        Kernel::Gimp => at_nodes(&Gimp { length: settings.gimp_length }, at),
-        Kernel::ConvectedGimp => {
-            at_nodes(&ShapeFunction::<f64>::stretched(&ConvectedGimp::default(), lengths), at)
-        }
-        Kernel::QuadraticBspline => at_nodes(&QuadraticBspline, at),
-        Kernel::CubicBspline => at_nodes(&CubicBspline, at),
-        Kernel::DualDomain => at_nodes(&DualDomain::default(), at),
-        Kernel::Staggered => at_nodes(&Staggered, at),
-        Kernel::Corrected => at_nodes(&Corrected::default(), at),
-        Kernel::LeastSquares => at_nodes(&LeastSquares(QuadraticBspline), at),
-    }
-}
-
-fn at_nodes<S: ShapeFunction<f64>>(shape: &S, at: AxisPosition<f64>) -> Vec<Function> {
-    let row = shape.row(at);
-    (0..S::WIDTH)
-        .map(|k| {
-            let node = at.cell + row.first + k;
-            let place = shape.node_coordinate(node, at.n_cells, at.periodic);
-            Function { place: (node, place), weight: row.weight[k], gradient: row.gradient[k] }
-        })
-        .collect()
 }
 
 #[cfg(test)]
