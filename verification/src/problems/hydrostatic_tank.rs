@@ -57,7 +57,7 @@ fn speed() -> f64 {
 
 impl Tank {
     /// The exact answer.
-    pub fn at_rest(&self) -> HydrostaticTank {
+    pub fn at_rest(self) -> HydrostaticTank {
         let (sine, cosine) = self.degrees.to_radians().sin_cos();
         HydrostaticTank {
             column: HydrostaticColumn {
@@ -72,11 +72,11 @@ impl Tank {
         }
     }
 
-    fn is_tilted(&self) -> bool {
+    fn is_tilted(self) -> bool {
         self.degrees > 0.0
     }
 
-    fn points(&self, resolution: &Resolution) -> Vec<PointSpec<2>> {
+    fn points(self, resolution: &Resolution) -> Vec<PointSpec<2>> {
         let per_axis = resolution.points_per_axis;
         let h = self.spacing(resolution.cells);
         let across = h / per_axis as f64;
