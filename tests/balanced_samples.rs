@@ -24,7 +24,7 @@ fn column(offset: f64) -> Scene<2> {
         let middle = 0.5 * (lower + upper);
         let density = DENSITY * (1.0 + GRAVITY * (height - middle) / SOUND_SPEED.powi(2));
         for k in 0..8 {
-            let x = (k as f64 + 0.5) * thickness;
+            let x = (f64::from(k) + 0.5) * thickness;
             let mass = density * (upper - lower) * thickness;
             points.push(PointSpec::new([x, middle], [0.0; 2], density, mass));
         }

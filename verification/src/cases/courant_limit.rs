@@ -2,7 +2,7 @@
 //!
 //! Noise of 10⁻⁹ c in a periodic line of 48 cells with 1, 2 and 3 points in each, on a lattice, where they stay: the
 //! largest multiple of 0.01 with which the velocity is at most doubled after 1000 steps, by bisection. Theory asks the same
-//! of the spectral radius of the step on each of the waves that fit into the line ([`theory`]).
+//! of the spectral radius of the step on each of the waves that fit into the line.
 
 mod run;
 mod symbols;

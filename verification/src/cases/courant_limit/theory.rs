@@ -28,9 +28,10 @@ pub(super) fn reason(variant: Variant) -> Option<&'static str> {
     let (parts, settings) = (variant.parts(), settings(variant, 1));
     let known = matches!(
         (parts.fields, parts.formulation),
-        (Fields::Carried, Formulation::Standard)
-            | (Fields::Carried, Formulation::VelocityPressure(PointDivergence::Constant))
-            | (Fields::TransportPoints, _)
+        (
+            Fields::Carried,
+            Formulation::Standard | Formulation::VelocityPressure(PointDivergence::Constant),
+        ) | (Fields::TransportPoints, _)
     );
     if settings.rearrangement.is_some() {
         Some("moves or adds points")
@@ -292,9 +293,9 @@ mod tests {
             let dt = 0.5 * (stable + unstable);
             // A defective eigenvalue 1 is off by 2⁻¹⁶.
             if amplification(variant, n_points, 96, dt) < 1.0 + 5e-5 {
-                stable = dt
+                stable = dt;
             } else {
-                unstable = dt
+                unstable = dt;
             }
         }
         stable
