@@ -2,9 +2,6 @@
 
 use std::process::{Command, Stdio};
 
-/// Steps k of the shorter run; the longer takes 2k.
-const STEPS: u32 = 2;
-
 /// Whether valgrind can be run.
 pub fn available() -> bool {
     let version = Command::new("valgrind").arg("--version").stdout(Stdio::null()).status();
@@ -19,11 +16,11 @@ pub fn toolchain() -> Result<String, String> {
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// Instructions of one step of a workload.
-pub fn per_step(workload: &str) -> Result<f64, String> {
-    let few = instructions(workload, STEPS)?;
-    let many = instructions(workload, 2 * STEPS)?;
-    Ok((many - few) / f64::from(STEPS))
+/// Instructions of one step of a workload, from a run of `n_steps` and one of twice as many.
+pub fn per_step(workload: &str, n_steps: u32) -> Result<f64, String> {
+    let few = instructions(workload, n_steps)?;
+    let many = instructions(workload, 2 * n_steps)?;
+    Ok((many - few) / f64::from(n_steps))
 }
 
 fn instructions(workload: &str, n_steps: u32) -> Result<f64, String> {

@@ -1,10 +1,11 @@
 //! Gate: instructions of one step of each workload, counted by callgrind, against committed baselines.
 //!
-//! `cargo bench --bench instructions -- [--require] [--update]`. Each workload runs twice on one thread,
+//! `cargo bench --bench instructions -- [--require] [--update] [--variants]`. Each workload runs twice on one thread,
 //! with k and with 2k steps; the difference leaves out the set-up. A count off its baseline by more than
 //! 2 % fails, in either direction: a gain is a new baseline. What is counted is the baseline instruction
 //! set, so that the counts do not depend on the processor; they hold for one compiler, and under others
-//! are reported only. Without valgrind nothing is measured; `--require` makes that a failure.
+//! are reported only. Without valgrind nothing is measured; `--require` makes that a failure. `--variants`
+//! counts every named method instead and prints a table.
 
 #[path = "../generic.rs"]
 mod generic;
@@ -14,6 +15,7 @@ mod plain;
 
 mod baseline;
 mod count;
+mod variants;
 mod workloads;
 
 use std::process::ExitCode;
@@ -22,6 +24,8 @@ use baseline::{Baselines, Key};
 
 /// Largest deviation from a baseline.
 const TOLERANCE: f64 = 0.02;
+/// Steps of the shorter run of a workload.
+const STEPS: u32 = 2;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -29,7 +33,11 @@ fn main() -> ExitCode {
     if let Some(at) = arguments.iter().position(|argument| argument == "--workload") {
         let n_steps = arguments.get(at + 2).and_then(|n| n.parse().ok());
         return match (arguments.get(at + 1), n_steps) {
-            (Some(name), Some(n_steps)) if workloads::run(name, n_steps) => ExitCode::SUCCESS,
+            (Some(name), Some(n_steps))
+                if workloads::run(name, n_steps) || variants::run(name, n_steps) =>
+            {
+                ExitCode::SUCCESS
+            }
             _ => ExitCode::from(2),
         };
     }
@@ -37,7 +45,9 @@ fn main() -> ExitCode {
         eprintln!("valgrind is not installed: no instruction was counted, nothing is checked");
         return ExitCode::from(u8::from(has("--require")));
     }
-    match check(has("--update")) {
+    let sound =
+        if has("--variants") { variants::report().map(|()| true) } else { check(has("--update")) };
+    match sound {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
@@ -58,7 +68,7 @@ fn check(update: bool) -> Result<bool, String> {
         "workload", "per step", "per point", "baseline", "change"
     );
     for name in workloads::NAMES {
-        let counted = count::per_step(name)?;
+        let counted = count::per_step(name, STEPS)?;
         let known = baselines.find(name, &key);
         let change = known.map(|known| counted / known - 1.0);
         println!(
