@@ -7,7 +7,7 @@ use transpoint::{Scene, Settings, Variant};
 const H: f64 = 0.1;
 const GRAVITY: f64 = 10.0;
 const DENSITY: f64 = 1000.0;
-const SOUND_SPEED: f64 = 100.0;
+const SOUND_SPEED: f64 = 1000.0;
 /// Full cells below the surface.
 const DEEP: usize = 3;
 
@@ -59,7 +59,7 @@ fn balanced_samples_hold_up_a_column_wherever_its_surface_lies() {
     // At a quarter and three quarters of a cell the points lie on faces to the last bit.
     for twentieth in (1..20).filter(|twentieth| twentieth % 5 != 0) {
         let offset = f64::from(twentieth) / 20.0;
-        // The density varies by 4·10⁻⁴ over the column, and with it the weight of a cell about its middle.
+        // What is left is the compression by the water above, 4·10⁻⁶, which the weights of cells vary with.
         let balanced = first_change(PointVolume::Balanced, offset);
         assert!(balanced < 1e-4, "{offset}: {balanced}");
         let centered = first_change(PointVolume::CellCenter, offset);
