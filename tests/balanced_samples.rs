@@ -62,8 +62,11 @@ fn balanced_samples_hold_up_a_column_wherever_its_surface_lies() {
         // What is left is the compression by the water above, 4·10⁻⁶, which the weights of cells vary with.
         let balanced = first_change(PointVolume::Balanced, offset);
         assert!(balanced < 1e-4, "{offset}: {balanced}");
-        let centered = first_change(PointVolume::CellCenter, offset);
-        assert!(centered > 100.0 * balanced, "{offset}: {centered} and {balanced}");
+        // One row of points in the cut cell; two rows are half a cell deep in the mean, as if for the centre.
+        if (0.25..0.75).contains(&offset) {
+            let centered = first_change(PointVolume::CellCenter, offset);
+            assert!(centered > 100.0 * balanced, "{offset}: {centered} and {balanced}");
+        }
     }
 }
 
