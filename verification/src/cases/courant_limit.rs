@@ -29,8 +29,6 @@ const POINTS: [usize; 3] = [1, 2, 3];
 const CELLS: usize = 48;
 /// Steps of a trial.
 const STEPS: u64 = 1000;
-/// Growth over all steps up to which a trial counts as stable.
-const MOST_GROWTH: f64 = 2.0;
 /// Courant numbers tried are multiples of this.
 const INCREMENT: f64 = 0.01;
 /// Most multiples and one.
@@ -100,9 +98,9 @@ impl Case for CourantLimit {
         variants.iter().flat_map(points).collect()
     }
 
-    fn execute(&self, spec: &RunSpec, progress: &Progress) -> Findings {
+    fn execute(&self, spec: &RunSpec, _progress: &Progress) -> Findings {
         match serde_json::from_value::<Parameters>(spec.parameters.clone()) {
-            Ok(parameters) => run::execute(&parameters, progress),
+            Ok(parameters) => run::execute(&parameters),
             Err(error) => Findings::not_built(&error, run::missing_rows()),
         }
     }

@@ -17,6 +17,7 @@ pub mod hard_cases;
 pub mod jet_on_plate;
 pub mod lattice;
 pub mod march;
+pub mod noise;
 pub mod operators;
 pub mod riemann;
 pub mod rivals;

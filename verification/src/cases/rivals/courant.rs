@@ -10,8 +10,8 @@ use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::{Scene, Settings, Simulation, Variant};
 
 use crate::case::{Findings, Outcome, Row, RunSpec};
-use crate::cases::free_surface;
 use crate::cases::lattice::{self, JITTER, LAYOUTS};
+use crate::cases::{free_surface, noise};
 use crate::progress::Progress;
 
 /// Cells along each axis.
@@ -22,13 +22,6 @@ const STEPS: u64 = 1000;
 const INCREMENT: f64 = 0.1;
 /// Most multiples and one.
 const END: u64 = 32;
-/// Velocities at the start over the speed of sound: the points do not leave their places.
-const AMPLITUDE: f64 = 1e-9;
-/// Root mean square velocity over that at the start at which a trial counts as unstable.
-const MOST_GROWTH: f64 = 2.0;
-/// Points over those at the start at which a trial counts as unstable: what is stretched without bound is split without
-/// bound.
-const MOST_POINTS: usize = 4;
 /// Seed of places and velocities.
 const SEED: u64 = 20_200_911;
 
@@ -118,7 +111,7 @@ pub(super) fn execute(spec: &RunSpec, progress: &Progress) -> Findings {
 
 fn scene(parameters: &Parameters) -> Scene<2> {
     let mut random = Pcg64::seed_from_u64(SEED);
-    let mut velocity = || AMPLITUDE * ((random.next_u64() >> 11) as f64 * 2f64.powi(-52) - 1.0);
+    let mut velocity = || noise::AMPLITUDE * noise::signed(random.next_u64());
     let (count, spacing) = (parameters.points_per_axis, 1.0 / parameters.points_per_axis as f64);
     let points = lattice::lattice([CELLS * count; 2], spacing, parameters.jitter, SEED)
         .into_iter()
@@ -134,29 +127,7 @@ fn scene(parameters: &Parameters) -> Scene<2> {
 
 fn is_stable(simulation: &mut dyn Simulation<2>, courant: f64, steps: u64) -> bool {
     let dt = simulation.stable_dt(courant).dt;
-    let start = speed(simulation);
-    let mut most: f64 = 0.0;
-    let most_points = MOST_POINTS * simulation.n_points();
-    for step in 0..steps {
-        if simulation.step(dt).is_err() || simulation.n_points() > most_points {
-            return false;
-        }
-        // Growth shows now and then; asking after each step would cost as much as a step.
-        if step % 50 == 49 {
-            most = most.max(speed(simulation) / start);
-        }
-    }
-    most <= MOST_GROWTH
-}
-
-/// Root mean square velocity.
-fn speed(simulation: &dyn Simulation<2>) -> f64 {
-    let (mut sum, mut n) = (0.0, 0.0);
-    simulation.visit_points(&mut |point| {
-        sum += point.velocity.iter().map(|v| v * v).sum::<f64>();
-        n += 1.0;
-    });
-    (sum / n).sqrt()
+    noise::stays_small(simulation, dt, steps)
 }
 
 #[cfg(test)]
