@@ -2,6 +2,8 @@
 //!
 //! The modules stand in reading order.
 
+#![cfg_attr(test, allow(dead_code, reason = "unit tests build no variant"))]
+
 pub mod error;
 pub mod scalar;
 

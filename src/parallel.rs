@@ -3,6 +3,8 @@
 //! Work is cut at places that depend on the data alone. Every task owns the part of the output that
 //! it writes, so results are the same bits on any number of threads.
 
+use std::ops::Range;
+
 /// Mutable data that can be cut in two.
 pub trait Split: Send + Sized {
     /// Cuts before element `mid`.
@@ -45,42 +47,43 @@ where
     V: Split,
     R: Send,
     C: Fn(usize) -> usize + Sync,
-    W: Fn(std::ops::Range<usize>, V) -> R + Sync,
+    W: Fn(Range<usize>, V) -> R + Sync,
     G: Fn(R, R) -> R + Sync,
 {
+    let work: &Work<V, R> = work;
     if rayon::current_num_threads() == 1 {
         return work(0..n_units, data);
     }
-    recurse(0..n_units, grain.max(1), data, cut, work, combine)
+    recurse(0..n_units, grain.max(1), data, &Steps { cut, work, combine })
 }
 
-fn recurse<V, R, W, C, G>(
-    units: std::ops::Range<usize>,
+type Work<'a, V, R> = dyn Fn(Range<usize>, V) -> R + Sync + 'a;
+
+/// The steps of a loop behind pointers: the recursion is compiled once for each type of data and of result, not
+/// once for every loop.
+struct Steps<'a, V, R> {
+    cut: &'a (dyn Fn(usize) -> usize + Sync),
+    work: &'a Work<'a, V, R>,
+    combine: &'a (dyn Fn(R, R) -> R + Sync),
+}
+
+fn recurse<V: Split, R: Send>(
+    units: Range<usize>,
     grain: usize,
     data: V,
-    cut: &C,
-    work: &W,
-    combine: &G,
-) -> R
-where
-    V: Split,
-    R: Send,
-    C: Fn(usize) -> usize + Sync,
-    W: Fn(std::ops::Range<usize>, V) -> R + Sync,
-    G: Fn(R, R) -> R + Sync,
-{
+    steps: &Steps<'_, V, R>,
+) -> R {
     if units.len() <= grain {
-        return work(units, data);
+        return (steps.work)(units, data);
     }
     let mid = units.start + units.len() / 2;
-    let (left, right) = data.split(cut(mid) - cut(units.start));
+    let (left, right) = data.split((steps.cut)(mid) - (steps.cut)(units.start));
     let (mut left, mut right) = (Half::Waiting(left), Half::Waiting(right));
-    join(
-        &mut || left.run(|data| recurse(units.start..mid, grain, data, cut, work, combine)),
-        &mut || right.run(|data| recurse(mid..units.end, grain, data, cut, work, combine)),
-    );
+    let mut first = || left.run(|data| recurse(units.start..mid, grain, data, steps));
+    let mut second = || right.run(|data| recurse(mid..units.end, grain, data, steps));
+    join(&mut first, &mut second);
     match (left, right) {
-        (Half::Done(a), Half::Done(b)) => combine(a, b),
+        (Half::Done(a), Half::Done(b)) => (steps.combine)(a, b),
         _ => unreachable!("both halves have run"),
     }
 }
@@ -110,7 +113,7 @@ fn join(left: &mut (dyn FnMut() + Send), right: &mut (dyn FnMut() + Send)) {
 pub fn for_each_block<V, W>(n_units: usize, grain: usize, data: V, work: &W)
 where
     V: Split,
-    W: Fn(std::ops::Range<usize>, V) + Sync,
+    W: Fn(Range<usize>, V) + Sync,
 {
     fold_blocks(n_units, grain, data, &|unit| unit, work, &|(), ()| ());
 }

@@ -1,5 +1,7 @@
 //! The named methods: which parts each is put together from, and what it fixes of the settings.
 
+// Unit tests build no variant: forty solvers would be compiled once more.
+#[cfg(not(test))]
 mod build;
 mod parts;
 

@@ -1,8 +1,6 @@
 //! Rigid bodies, and sound at outflows.
 
-mod common;
-
-use common::scenes::{Block, Build, DENSITY, SOUND_SPEED, SPACING};
+use crate::common::scenes::{Block, Build, DENSITY, SOUND_SPEED, SPACING};
 use transpoint::scene::{
     BodyShape, BodySpec, BodySurface, Boundary, EquationOfStateSpec, GridSpec, PointSpec,
     Relaxation, Scene,

@@ -1,11 +1,9 @@
 //! Faces: slip, no-slip, prescribed, periodic and free; and points that go through them.
 
-mod common;
-
-use common::near;
-use common::parts::{DT, FLIP, GIMP};
-use common::phases::{scatter, scheme, solver};
-use common::scenes::{Block, Build, SPACING};
+use crate::common::near;
+use crate::common::parts::{DT, FLIP, GIMP};
+use crate::common::phases::{scatter, scheme, solver};
+use crate::common::scenes::{Block, Build, SPACING};
 use proptest::prelude::*;
 use transpoint::error::StepError;
 use transpoint::method::Method;
@@ -178,7 +176,7 @@ fn closed_walls_keep_every_point_inside() {
 }
 
 proptest! {
-    #![proptest_config(common::parts::cases(256))]
+    #![proptest_config(crate::common::parts::cases(256))]
 
     /// Also where a coordinate rounds to the face itself, in boxes whose length is not exact.
     #[test]

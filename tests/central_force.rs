@@ -1,10 +1,8 @@
 //! A force towards a point: at the nodes, on a lone point, in limits and errors.
 
-mod common;
-
-use common::near;
-use common::phases::{scheme, solver, velocity_row};
-use common::scenes::Build;
+use crate::common::near;
+use crate::common::phases::{scheme, solver, velocity_row};
+use crate::common::scenes::Build;
 use transpoint::quadrature::Particle;
 use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, CentralForce, EquationOfStateSpec, GridSpec, PointSpec, Scene};

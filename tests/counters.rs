@@ -1,13 +1,11 @@
 //! Snapshots of the integer work counters: they catch a silent change of algorithm.
 //!
-//! After a deliberate change, `INSTA_UPDATE=always cargo test --test counters` rewrites them.
-
-mod common;
+//! After a deliberate change, `INSTA_UPDATE=always cargo test counters` rewrites them.
 
 use std::fmt::Write;
 
-use common::parts::DT;
-use common::scenes::{Block, run};
+use crate::common::parts::DT;
+use crate::common::scenes::{Block, run};
 use transpoint::scene::{Boundary, Scene};
 use transpoint::{Settings, Variant};
 

@@ -1,10 +1,8 @@
 //! The same bits on any number of threads and in every run.
 
-mod common;
-
-use common::parts::DT;
-use common::scenes::{Block, Build, SOUND_SPEED, SPACING, run};
-use common::{Gap, Random};
+use crate::common::parts::DT;
+use crate::common::scenes::{Block, Build, SOUND_SPEED, SPACING, run};
+use crate::common::{Gap, Random};
 use rayon::ThreadPoolBuilder;
 use transpoint::scene::{Boundary, Scene};
 use transpoint::telemetry::Counters;

@@ -1,12 +1,10 @@
 //! The energy equation: exact totals where they are promised, and Eq. (34) by hand.
 
-mod common;
-
-use common::gas::{ENERGY, RATIO, gas};
-use common::near;
-use common::parts::{DT, setup};
-use common::phases::scheme;
-use common::scenes::{Block, Build, DENSITY, run};
+use crate::common::gas::{ENERGY, RATIO, gas};
+use crate::common::near;
+use crate::common::parts::{DT, setup};
+use crate::common::phases::scheme;
+use crate::common::scenes::{Block, Build, DENSITY, run};
 use proptest::prelude::*;
 use transpoint::material::General;
 use transpoint::quadrature::Particle;

@@ -1,10 +1,8 @@
 //! A field of force: at the nodes and the time of the step's start, its impulse, limits, errors, threads.
 
-mod common;
-
-use common::near;
-use common::phases::{scheme, solver, velocity_row};
-use common::scenes::{Block, Build, DENSITY, run};
+use crate::common::near;
+use crate::common::phases::{scheme, solver, velocity_row};
+use crate::common::scenes::{Block, Build, DENSITY, run};
 use rayon::ThreadPoolBuilder;
 use transpoint::quadrature::Particle;
 use transpoint::reconstruction::Carried;

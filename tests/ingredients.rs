@@ -1,12 +1,10 @@
 //! Limiters, bulk viscosity, pressure cut-off and the elastic solid: what each does, and that it
 //! counts what it does.
 
-mod common;
-
-use common::near;
-use common::parts::{DT, block};
-use common::phases::scheme;
-use common::scenes::{Block, DENSITY, SOUND_SPEED, run};
+use crate::common::near;
+use crate::common::parts::{DT, block};
+use crate::common::phases::scheme;
+use crate::common::scenes::{Block, DENSITY, SOUND_SPEED, run};
 use transpoint::formulation::PointDivergence;
 use transpoint::material::{Deviatoric, General};
 use transpoint::math::Tensor;

@@ -1,8 +1,6 @@
 //! Inlets and outflows: uniform flow stays uniform, and what comes in and goes out is written down.
 
-mod common;
-
-use common::scenes::{Block, Build, DENSITY, SOUND_SPEED, SPACING};
+use crate::common::scenes::{Block, Build, DENSITY, SOUND_SPEED, SPACING};
 use transpoint::scene::{
     Boundary, EquationOfStateSpec, GridSpec, InletProfile, InletSpec, Scene, Side, Supply,
 };

@@ -1,12 +1,10 @@
 //! Internal forces: they cancel, and constant pressure does not push the inside of the fluid.
 
-mod common;
-
-use common::checks::{interior_force_is, internal_forces_cancel, nodes_hold_the_mass};
-use common::parts::{DT, FLIP, GIMP, MIXED, block, cases, mls, setup};
-use common::phases::{node_sums, scatter, scheme, solver};
-use common::scenes::{Block, DENSITY, SOUND_SPEED, SPACING};
-use common::{Check, all, near};
+use crate::common::checks::{interior_force_is, internal_forces_cancel, nodes_hold_the_mass};
+use crate::common::parts::{DT, FLIP, GIMP, MIXED, block, cases, mls, setup};
+use crate::common::phases::{node_sums, scatter, scheme, solver};
+use crate::common::scenes::{Block, DENSITY, SOUND_SPEED, SPACING};
+use crate::common::{Check, all, near};
 use proptest::prelude::*;
 use transpoint::Solver;
 use transpoint::formulation::{Formulation, PointDivergence};

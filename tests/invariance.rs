@@ -1,10 +1,8 @@
 //! Symmetries of every variant: a moved, mirrored, turned or rescaled scene moves alike.
 
-mod common;
-
-use common::Gap;
-use common::parts::DT;
-use common::scenes::{Block, Build, SOUND_SPEED, SPACING, run};
+use crate::common::Gap;
+use crate::common::parts::DT;
+use crate::common::scenes::{Block, Build, SOUND_SPEED, SPACING, run};
 use transpoint::scene::{Boundary, EquationOfStateSpec, PointSpec, Scene};
 use transpoint::simulation::PointState;
 use transpoint::variants::PointVolume;

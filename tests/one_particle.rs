@@ -2,11 +2,11 @@
 //!
 //! Cells of 2 m × 0.5 m, the point at ξ = (¼, ½) of cell (1, 1): all numbers are exact.
 
-mod common;
-
-use common::phases::{MOTION, STATE, VELOCITY, gather, scatter, scheme, solver, velocity_row};
-use common::scenes::{Block, Build};
-use common::{Random, near};
+use crate::common::phases::{
+    MOTION, STATE, VELOCITY, gather, scatter, scheme, solver, velocity_row,
+};
+use crate::common::scenes::{Block, Build};
+use crate::common::{Random, near};
 use transpoint::cells::ABSENT;
 use transpoint::error::StepError;
 use transpoint::material::Inviscid;

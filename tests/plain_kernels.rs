@@ -1,19 +1,12 @@
 //! The plain kernels of the benches compute what the generic solver computes.
 
-#[path = "../benches/generic.rs"]
-#[expect(dead_code, reason = "each user takes a part of it")]
-mod generic;
-#[path = "../benches/plain/mod.rs"]
-#[expect(dead_code, reason = "each user takes a part of it")]
-mod plain;
-
-use plain::apic_quadratic_2d::Apic2;
-use plain::apic_quadratic_3d::Apic3;
-use plain::mpm_linear_2d::Mpm2;
-use plain::mpm_linear_3d::Mpm3;
-use plain::scene::{DT, Layout, REFERENCE_DENSITY, SOUND_SPEED, scene_of_cells};
-use plain::tpm_linear::Tpm2;
-use plain::{State, Stepper};
+use crate::plain::apic_quadratic_2d::Apic2;
+use crate::plain::apic_quadratic_3d::Apic3;
+use crate::plain::mpm_linear_2d::Mpm2;
+use crate::plain::mpm_linear_3d::Mpm3;
+use crate::plain::scene::{DT, Layout, REFERENCE_DENSITY, SOUND_SPEED, scene_of_cells};
+use crate::plain::tpm_linear::Tpm2;
+use crate::plain::{State, Stepper};
 
 /// Largest difference of any field after `steps` steps, relative to the field's scale.
 fn difference<const D: usize>(a: &State<D>, b: &State<D>) -> f64 {
@@ -42,31 +35,31 @@ fn compare<const D: usize>(mut plain: impl Stepper<D>, mut generic: impl Stepper
 #[test]
 fn apic_in_2d_equals_the_generic_step() {
     let scene = scene_of_cells([12, 9], Layout::Random);
-    compare(Apic2::<f64>::new(&scene), generic::apic::<f64, 2>(&scene));
+    compare(Apic2::<f64>::new(&scene), crate::generic::apic::<f64, 2>(&scene));
 }
 
 #[test]
 fn apic_in_3d_equals_the_generic_step() {
     let scene = scene_of_cells([7, 6, 5], Layout::Random);
-    compare(Apic3::<f64>::new(&scene), generic::apic::<f64, 3>(&scene));
+    compare(Apic3::<f64>::new(&scene), crate::generic::apic::<f64, 3>(&scene));
 }
 
 #[test]
 fn mpm_in_2d_equals_the_generic_step() {
     let scene = scene_of_cells([12, 9], Layout::Random);
-    compare(Mpm2::<f64>::new(&scene), generic::mpm::<f64, 2>(&scene));
+    compare(Mpm2::<f64>::new(&scene), crate::generic::mpm::<f64, 2>(&scene));
 }
 
 #[test]
 fn mpm_in_3d_equals_the_generic_step() {
     let scene = scene_of_cells([7, 6, 5], Layout::Random);
-    compare(Mpm3::<f64>::new(&scene), generic::mpm::<f64, 3>(&scene));
+    compare(Mpm3::<f64>::new(&scene), crate::generic::mpm::<f64, 3>(&scene));
 }
 
 #[test]
 fn tpm_in_2d_equals_the_generic_step() {
     let scene = scene_of_cells([12, 9], Layout::Random);
-    compare(Tpm2::<f64>::new(&scene), generic::tpm(&scene));
+    compare(Tpm2::<f64>::new(&scene), crate::generic::tpm(&scene));
 }
 
 /// Σ over the nodes of the first `D` lanes and of lane `mass`.

@@ -1,8 +1,6 @@
 //! A box cut by a plane, against polygons and tetrahedra that are cut in other ways, and identities.
 
-mod common;
-
-use common::near;
+use crate::common::near;
 use proptest::prelude::*;
 use transpoint::Scalar;
 use transpoint::quadrature::{Plane, Wetted, normal};

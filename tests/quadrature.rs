@@ -1,12 +1,10 @@
 //! Mixed quadrature: which cells are full, and the volumes of the points of the others.
 
-mod common;
-
-use common::clouds::CloudData;
-use common::near;
-use common::parts::{DT, FLIP, MIXED, mls};
-use common::phases::{scheme, solver};
-use common::scenes::Block;
+use crate::common::clouds::CloudData;
+use crate::common::near;
+use crate::common::parts::{DT, FLIP, MIXED, mls};
+use crate::common::phases::{scheme, solver};
+use crate::common::scenes::Block;
 use transpoint::cells::{CellKind, Cells};
 use transpoint::method::Method;
 use transpoint::quadrature::{

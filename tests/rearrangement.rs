@@ -1,12 +1,12 @@
 //! Points that are added and taken away: where, with which fields, at what cost in mass and momentum.
 
-mod common;
-
-use common::near;
-use common::parts::{FLIP, MIXED, cases};
-use common::phases::{scheme, solver};
-use common::rearranging::{follows_linear, holed, ledger_is_right, linear, only_fill, transport};
-use common::scenes::{Block, DENSITY};
+use crate::common::near;
+use crate::common::parts::{FLIP, MIXED, cases};
+use crate::common::phases::{scheme, solver};
+use crate::common::rearranging::{
+    follows_linear, holed, ledger_is_right, linear, only_fill, transport,
+};
+use crate::common::scenes::{Block, DENSITY};
 use proptest::prelude::*;
 use transpoint::quadrature::Particle;
 use transpoint::rearrangement::EventKind;

@@ -1,11 +1,9 @@
 //! Points that are moved and split, and all of rearrangement on several threads.
 
-mod common;
-
-use common::parts::{DT, FLIP, cases};
-use common::phases::{scheme, solver};
-use common::rearranging::{follows_linear, holed, ledger_is_right, same_totals, transport};
-use common::scenes::{Block, run};
+use crate::common::parts::{DT, FLIP, cases};
+use crate::common::phases::{scheme, solver};
+use crate::common::rearranging::{follows_linear, holed, ledger_is_right, same_totals, transport};
+use crate::common::scenes::{Block, run};
 use proptest::prelude::*;
 use rayon::ThreadPoolBuilder;
 use transpoint::material::Inviscid;

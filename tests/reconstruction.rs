@@ -1,12 +1,10 @@
 //! Moving least squares reproduces its polynomials, falls back and is limited as defined.
 
-mod common;
-
-use common::clouds::{CloudData, reproduces, weight};
-use common::parts::{cases, setup};
-use common::phases::{scatter, scheme, solver};
-use common::scenes::Block;
-use common::{Precision, Random, near};
+use crate::common::clouds::{CloudData, reproduces, weight};
+use crate::common::parts::{cases, setup};
+use crate::common::phases::{scatter, scheme, solver};
+use crate::common::scenes::Block;
+use crate::common::{Precision, Random, near};
 use proptest::prelude::*;
 use transpoint::basis::{Constant, Fit, Limiters, Linear, PolynomialBasis, Quadratic};
 use transpoint::math::Value;

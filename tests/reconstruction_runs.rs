@@ -1,11 +1,9 @@
 //! Points taken four at a time from runs of cells give what a sum over all points and images gives.
 
-mod common;
-
-use common::clouds::{CloudData, weight};
-use common::parts::cases;
-use common::scenes::Block;
-use common::{Random, near};
+use crate::common::clouds::{CloudData, weight};
+use crate::common::parts::cases;
+use crate::common::scenes::Block;
+use crate::common::{Random, near};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use transpoint::basis::{Constant, Fit, Limiters, Linear, PolynomialBasis};

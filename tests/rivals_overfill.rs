@@ -1,11 +1,9 @@
 //! Points pushed out of nodes that hold more volume than there is room, \[Baumgarten2023\].
 
-mod common;
-
-use common::near;
-use common::parts::FLIP;
-use common::phases::{scheme, solver};
-use common::scenes::{Block, SPACING};
+use crate::common::near;
+use crate::common::parts::FLIP;
+use crate::common::phases::{scheme, solver};
+use crate::common::scenes::{Block, SPACING};
 use transpoint::Solver;
 use transpoint::material::Inviscid;
 use transpoint::method::Scheme;

@@ -1,11 +1,9 @@
 //! Lengths that the flow stretches, and divergence and density that are smoothed.
 
-mod common;
-
-use common::near;
-use common::parts::{DT, FLIP};
-use common::phases::{STATE, gather, scatter, scheme, solver, velocity_row};
-use common::scenes::{Block, DENSITY, SOUND_SPEED, SPACING, run};
+use crate::common::near;
+use crate::common::parts::{DT, FLIP};
+use crate::common::phases::{STATE, gather, scatter, scheme, solver, velocity_row};
+use crate::common::scenes::{Block, DENSITY, SOUND_SPEED, SPACING, run};
 use transpoint::material::Inviscid;
 use transpoint::method::Scheme;
 use transpoint::quadrature::Particle;

@@ -1,12 +1,10 @@
 //! Transfers of other methods: what a step without forces loses, what is conserved, which fields survive.
 
-mod common;
-
-use common::checks::interior_nodes;
-use common::near;
-use common::parts::{DT, FLIP};
-use common::phases::{node_sums, owned_nodes, scatter, scheme, solver};
-use common::scenes::{Block, Build, DENSITY, SPACING, run};
+use crate::common::checks::interior_nodes;
+use crate::common::near;
+use crate::common::parts::{DT, FLIP};
+use crate::common::phases::{node_sums, owned_nodes, scatter, scheme, solver};
+use crate::common::scenes::{Block, Build, DENSITY, SPACING, run};
 use transpoint::basis;
 use transpoint::method::Scheme;
 use transpoint::quadrature::WholeCells;

@@ -1,8 +1,6 @@
 //! Identities that every grid shape function keeps, in every cell, at walls and on periodic axes.
 
-mod common;
-
-use common::shape_identities::{
+use crate::common::shape_identities::{
     Family, Precision, by_node, check_continuity, check_gradient, check_moments, check_reflection,
     check_support, check_wall, position,
 };

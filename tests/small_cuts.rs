@@ -1,9 +1,7 @@
 //! Cells that the surface cuts off almost wholly do not shorten the stable time step where mass and force
 //! enter the nodes by the same rule.
 
-mod common;
-
-use common::Random;
+use crate::common::Random;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
 use transpoint::variants::PointVolume;
 use transpoint::{Scene, Settings, Variant};

@@ -1,9 +1,7 @@
 //! The cost follows the fluid, not the box.
 
-mod common;
-
-use common::parts::DT;
-use common::scenes::{Block, Build, SPACING, run};
+use crate::common::parts::DT;
+use crate::common::scenes::{Block, Build, SPACING, run};
 use transpoint::scene::{Boundary, Scene};
 use transpoint::{Settings, Variant};
 

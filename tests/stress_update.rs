@@ -1,12 +1,10 @@
 //! When density is updated (first, last, modified last), with numbers worked out by hand.
 
-mod common;
-
-use common::checks::point_divergence_is_linear;
-use common::near;
-use common::parts::{FLIP, MIXED, mls};
-use common::phases::{STATE, gather, scheme, solver};
-use common::scenes::{Block, DENSITY};
+use crate::common::checks::point_divergence_is_linear;
+use crate::common::near;
+use crate::common::parts::{FLIP, MIXED, mls};
+use crate::common::phases::{STATE, gather, scheme, solver};
+use crate::common::scenes::{Block, DENSITY};
 use transpoint::error::StepError;
 use transpoint::formulation::{Formulation, PointDivergence};
 use transpoint::method::{Method, Scheme};

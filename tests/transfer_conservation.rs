@@ -1,14 +1,12 @@
 //! What the transfers and the internal forces conserve, and up to which bound.
 
-mod common;
-
-use common::checks::{
+use crate::common::checks::{
     affine_field_survives, steps_keep_totals, transfer_keeps_totals, velocities_stay_without_force,
 };
-use common::parts::{BLEND, DT, FLIP, GIMP, MIXED, block, cases, mls, setup};
-use common::phases::{scheme, solver};
-use common::scenes::{Block, SPACING};
-use common::{Gap, all};
+use crate::common::parts::{BLEND, DT, FLIP, GIMP, MIXED, block, cases, mls, setup};
+use crate::common::phases::{scheme, solver};
+use crate::common::scenes::{Block, SPACING};
+use crate::common::{Gap, all};
 use proptest::prelude::*;
 use transpoint::quadrature::Particle;
 use transpoint::reconstruction::Carried;

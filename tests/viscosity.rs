@@ -1,12 +1,10 @@
 //! Newtonian stress where a scene asks for it, and no byte of it elsewhere.
 
-mod common;
-
-use common::checks::shear_wave_decays;
-use common::near;
-use common::parts::{FLIP, MIXED, mls};
-use common::phases::{scatter, scheme};
-use common::scenes::{Block, Build, DENSITY};
+use crate::common::checks::shear_wave_decays;
+use crate::common::near;
+use crate::common::parts::{FLIP, MIXED, mls};
+use crate::common::phases::{scatter, scheme};
+use crate::common::scenes::{Block, Build, DENSITY};
 use transpoint::material::{Deviatoric, Inviscid, Material};
 use transpoint::math::Tensor;
 use transpoint::particles::Particles;

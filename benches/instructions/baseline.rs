@@ -81,5 +81,5 @@ fn parse(line: &str) -> Result<Entry, String> {
 }
 
 fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("benches/instructions/baseline.csv")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("instructions/baseline.csv")
 }

@@ -1,6 +1,6 @@
 //! Gate: instructions of one step of each workload, counted by callgrind, against committed baselines.
 //!
-//! `cargo bench --bench instructions -- [--require] [--update] [--variants]`. Each workload runs twice on one thread,
+//! `cargo instructions [--require] [--update] [--variants]`. Each workload runs twice on one thread,
 //! with k and with 2k steps; the difference leaves out the set-up. A count off its baseline by more than
 //! 2 % fails, in either direction: a gain is a new baseline. What is counted is the baseline instruction
 //! set, so that the counts do not depend on the processor; they hold for one compiler, and under others

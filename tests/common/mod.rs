@@ -1,7 +1,5 @@
 //! What the test files share: scenes, calls of the phases, and the checks that mutants must fail.
 
-#![allow(dead_code, reason = "every test file uses its own part")]
-
 pub mod checks;
 pub mod clouds;
 pub mod gas;

@@ -1,20 +1,18 @@
 //! Deliberately wrong parts: the checks of the suite pass the real part and flag its mutant.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod wrong;
 
-use common::Check;
-use common::checks::{
+use crate::common::Check;
+use crate::common::checks::{
     affine_field_survives, density_follows_affine_flow, interior_force_is, nodes_hold_the_mass,
     point_divergence_is_linear, shape_is_linear, shear_wave_decays, steps_keep_totals,
     transfer_keeps_totals, velocities_stay_without_force,
 };
-use common::clouds::{CloudData, reproduces};
-use common::gas::energy_is_kept;
-use common::parts::{DT, FLIP, block, mls};
-use common::phases::scheme;
-use common::scenes::Block;
+use crate::common::clouds::{CloudData, reproduces};
+use crate::common::gas::energy_is_kept;
+use crate::common::parts::{DT, FLIP, block, mls};
+use crate::common::phases::scheme;
+use crate::common::scenes::Block;
 use transpoint::formulation::PointDivergence;
 use transpoint::material::{Deviatoric, General};
 use transpoint::quadrature::{Mixed, Particle};
