@@ -250,11 +250,6 @@ where
             settings.overfill.is_some() && (reconstructs || by_fits),
             "absent, or a method with carried values",
         ),
-        (
-            "split",
-            settings.split.is_some() && reconstructs,
-            "absent, or a method with carried values",
-        ),
     ];
     for (name, refused, allowed) in parts {
         if refused {

@@ -210,6 +210,8 @@ pub enum ProjectionKind {
     Velocity,
     /// The velocity after the forces: FMPM, \[Nairn2021\].
     All,
+    /// The same, and the density of the points away from the surface; methods that reconstruct fields.
+    AllAndDensity,
 }
 
 /// How a point's internal energy changes.
@@ -236,7 +238,7 @@ pub struct Rearrangement {
     /// Points pushed apart; methods that reconstruct fields.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shift: Option<Shift>,
-    /// Points split where they stand for too much fluid; methods with carried values.
+    /// Points split where they stand for too much fluid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub split: Option<Split>,
     /// Points pushed out of overfull nodes; methods with carried values.
@@ -257,7 +259,7 @@ impl Rearrangement {
         let Shift { strength, interval } =
             self.shift.unwrap_or(Shift { strength: 1.0, interval: 1 });
         let ratio = match self.split {
-            Some(Split::Volume(ratio) | Split::Stretch(ratio)) => ratio,
+            Some(split) => split.ratio(),
             None => 1.0,
         };
         let most_points = self.most_points.unwrap_or(1);
@@ -341,6 +343,18 @@ pub enum Split {
     /// In two along the axis of greatest length when the length that it carries exceeds α cells. Lengths
     /// start as those of a piece of a cell with the point's volume, and the flow stretches them.
     Stretch(f64),
+    /// The same, but only where the point is alone in a cell that is cut by the surface: a film or a jet stays
+    /// connected, and the number of points within bounds.
+    Lone(f64),
+}
+
+impl Split {
+    /// α.
+    pub const fn ratio(self) -> f64 {
+        match self {
+            Self::Volume(ratio) | Self::Stretch(ratio) | Self::Lone(ratio) => ratio,
+        }
+    }
 }
 
 /// Limiter of the pressure's slope in a cell, which replaces the pressures of the cell's points.

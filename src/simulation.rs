@@ -2,10 +2,11 @@
 
 use crate::Scalar;
 use crate::cells::ABSENT;
-use crate::error::StepError;
+use crate::error::{InvalidInput, StepError};
 use crate::material::Material;
 use crate::method::Method;
 use crate::rearrangement::Ledger;
+use crate::settings::Rearrangement;
 use crate::solver::Solver;
 use crate::step::ParticlesOf;
 use crate::telemetry::Counters;
@@ -112,6 +113,12 @@ pub trait Simulation<const D: usize>: Send {
     /// Force of the fluid on each body of the scene over the last step, N; zero before the first.
     fn body_forces(&self) -> &[[f64; D]];
 
+    /// Sets what is done to the points at the end of each step from now on, whatever the variant fixes.
+    ///
+    /// # Errors
+    /// When a setting is out of range, or the method cannot honour it.
+    fn set_rearrangement(&mut self, settings: Option<Rearrangement>) -> Result<(), InvalidInput>;
+
     /// Bytes of state that each point carries.
     fn bytes_per_point(&self) -> usize;
 }
@@ -184,6 +191,10 @@ where
 
     fn body_forces(&self) -> &[[f64; D]] {
         self.bodies.as_ref().map_or(&[], |bodies| &bodies.forces)
+    }
+
+    fn set_rearrangement(&mut self, settings: Option<Rearrangement>) -> Result<(), InvalidInput> {
+        Self::set_rearrangement(self, settings)
     }
 
     fn bytes_per_point(&self) -> usize {

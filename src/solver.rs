@@ -176,6 +176,7 @@ where
         self.bin_particles();
         self.count_work();
         self.limit_pressure();
+        self.filter_density();
         match self.method.stress_update() {
             StressUpdate::First => {
                 self.strain_from_points();

@@ -26,6 +26,12 @@ const POSITIVITY: f64 = 0.8;
 const LEVERAGE: f64 = 16.0;
 /// The filter of what the nodes do not see.
 const FILTER: Projection = Projection { kind: ProjectionKind::All, order: 3, interval: 8 };
+/// The same for velocity and density.
+const FILTER_BOTH: Projection = Projection { kind: ProjectionKind::AllAndDensity, ..FILTER };
+/// N_m of crowded cells, four times a cell of 2 x 2 points.
+const MOST_POINTS: u32 = 16;
+/// Length in cells beyond which a lone point leaves a gap.
+const LONE: f64 = 1.0;
 /// Stretch in cells at which a point is split.
 const SPLIT: f64 = 1.5;
 
@@ -35,9 +41,8 @@ const QUADRATIC: Formulation = Formulation::VelocityPressure(PointDivergence::Qu
 /// Velocity-pressure with the divergence at the points that the settings name.
 const AS_SET: Formulation = Formulation::VelocityPressure(PointDivergence::VertexMean);
 
-fn split_by_stretch(settings: &mut Settings) {
-    let rearrangement = settings.rearrangement.get_or_insert_default();
-    rearrangement.split = Some(Split::Stretch(SPLIT));
+fn split(settings: &mut Settings, split: Split) {
+    settings.rearrangement.get_or_insert_default().split = Some(split);
 }
 
 fn shift_by_overfill(settings: &mut Settings) {
@@ -240,7 +245,7 @@ variants! {
 
     /// Linear MPM with adaptive splitting.
     MpmSplit = "mpm-split", "linear MPM, FLIP, points split by their stretch [Ma2009]",
-        [Linear, Carried, Flip, STANDARD], |s| split_by_stretch(s);
+        [Linear, Carried, Flip, STANDARD], |s| split(s, Split::Stretch(SPLIT));
 
     /// Linear MPM, velocity-pressure, pressure slopes limited over the neighbours.
     MpmVpBj = "mpm-vp-bj", "linear MPM, velocity-pressure, Barth-Jespersen limiter [Chen2018] [BarthJespersen1989]",
@@ -274,12 +279,14 @@ variants! {
     TpmVpEven = "tpm-vp2-even", "`tpm-vp2`, fits limited, fractures filled, points pushed apart in every 10th step [Song2020]",
         [Linear, TransportPoints, Flip, QUADRATIC], |s| keep_even(s);
 
-    /// Cell-adjoint transport points: `tpm-vp2-even` with the filter of `tpm-vp2-fmpm`.
-    CellAdjoint = "catp", "`tpm-vp2-even`, the null space filtered by FMPM(3) in every 8th step [Nairn2021]",
+    /// Cell-adjoint transport points: `tpm-vp2-even`, velocity and density filtered, cut cells balanced.
+    CellAdjoint = "catp", "`tpm-vp2-even`, velocity and density filtered in every 8th step, cut cells balanced [Nairn2021]",
         [Linear, TransportPoints, Flip, QUADRATIC], |s| {
             keep_even(s);
+            split(s, Split::Lone(LONE));
+            s.rearrangement.get_or_insert_default().most_points = Some(MOST_POINTS);
             s.point_volume = PointVolume::Balanced;
-            s.projection = Some(FILTER);
+            s.projection = Some(FILTER_BOTH);
         };
 }
 

@@ -13,6 +13,7 @@ mod boundaries;
 mod central_force;
 mod common;
 mod counters;
+mod density_filter;
 mod determinism;
 mod energy;
 mod force_field;

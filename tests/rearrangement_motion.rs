@@ -186,6 +186,47 @@ fn a_uniform_stretch_doubles_the_points() {
     assert_eq!(counts[1], [n]);
 }
 
+/// A film of single points that is stretched at constant rate: no gap opens, and no cell fills with points. Points
+/// that are not alone, two rows of two in a cell, are left as they are.
+#[test]
+fn lone_points_are_split_before_a_gap_opens() {
+    let film = |per_axis: usize| {
+        let mut block = Block::<2>::full(4, Boundary::Free);
+        (block.cells, block.fluid, block.per_axis) =
+            ([44, 5], [[18.0, 26.0], [2.0, 3.0]], per_axis);
+        let mut scene = block.scene();
+        for point in &mut scene.points {
+            point.velocity = [point.position[0] - 22.0 * scene.grid.spacing[0], 0.0];
+        }
+        scene.equation_of_state = EquationOfStateSpec::WeaklyCompressible {
+            reference_density: 1000.0,
+            sound_speed: 1e-6,
+        };
+        scene
+    };
+    let stretched = |scene: &Scene<2>, split| {
+        let rearrangement = Rearrangement { split, ..Rearrangement::default() };
+        let mut solver = transport(scene, rearrangement);
+        let mass = solver.full_totals().conserved.mass;
+        for _ in 0..100 {
+            solver.advance(0.01).unwrap();
+        }
+        assert!((solver.full_totals().conserved.mass / mass - 1.0).abs() < 1e-13);
+        let mut points: Vec<_> =
+            solver.particles.position.iter().map(|x| x[0] / scene.grid.spacing[0]).collect();
+        points.sort_by(f64::total_cmp);
+        let gap = points.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        (points.len(), gap)
+    };
+    let single = film(1);
+    let (n, gap) = stretched(&single, None);
+    assert!(n == 8 && gap > 1.9, "{n} points, {gap}");
+    let (n, gap) = stretched(&single, Some(Split::Lone(1.0)));
+    assert!(n > 8 && n <= 32 && gap < 1.6, "{n} points, {gap}");
+    let square = film(2);
+    assert_eq!(stretched(&square, Some(Split::Lone(2.5))).0, square.points.len());
+}
+
 /// Everything at once on both kinds of methods, in a dam that breaks.
 #[test]
 fn threads_change_no_bit() {
@@ -201,7 +242,7 @@ fn threads_change_no_bit() {
         fill: Some(Fill { points: FillPoints::Quarters, mass: FillMass::Donated }),
         most_points: Some(4),
         shift: Some(Shift { strength: 0.1, interval: 2 }),
-        split: None,
+        split: Some(Split::Stretch(0.51)),
         overfill: None,
     };
     let stretch = Rearrangement { split: Some(Split::Stretch(0.51)), ..Rearrangement::default() };
@@ -226,6 +267,7 @@ fn threads_change_no_bit() {
             assert!(n.n_points_split > 0, "{n:?}");
         } else {
             assert!(n.n_points_filled > 0 && n.n_cells_reduced > 0 && n.n_points_shifted > 0);
+            assert!(n.n_points_split > 0, "{n:?}");
         }
         for n_threads in [1, 2, 7] {
             assert!(result(n_threads) == reference, "{} on {n_threads}", variant.name());

@@ -116,7 +116,8 @@ fn points_carry_what_their_scene_and_method_need() {
             };
             let parts = variant.parts();
             let affine = if parts.transfer == TransferKind::Flip { 0 } else { tensor };
-            let stretches = parts.kernel == Kernel::ConvectedGimp || variant == Variant::MpmSplit;
+            let stretches = parts.kernel == Kernel::ConvectedGimp
+                || matches!(variant, Variant::MpmSplit | Variant::CellAdjoint);
             let length = if stretches { 8 * D } else { 0 };
             // Rivals, and all in one dimension, have room for energy and viscous pressure beside stress.
             let has_own = parts.transfer != TransferKind::Tpic

@@ -62,7 +62,7 @@ where
     ///
     /// # Errors
     /// When a setting is out of range, or the method cannot honour it: new and moved points need fields
-    /// by reconstruction, splitting needs carried values.
+    /// by reconstruction, the shift by overfill carried values.
     pub fn set_rearrangement(
         &mut self,
         settings: Option<Rearrangement>,
@@ -71,8 +71,8 @@ where
             check_rearrangement::<T, D, M>(settings)?;
         }
         self.rearranger = None;
-        let by_stretch = settings.and_then(|settings| settings.split);
-        self.set_lengths(matches!(by_stretch, Some(Split::Stretch(_))));
+        let split = settings.and_then(|settings| settings.split);
+        self.set_lengths(matches!(split, Some(Split::Stretch(_) | Split::Lone(_))));
         let Some(settings) = settings else { return Ok(()) };
         let p = &self.particles;
         self.rearranger = Some(Box::new(Rearranger {
@@ -100,6 +100,9 @@ where
         let Rearrangement { fill, most_points, shift, split, overfill } = kept.settings;
         // Constant conditions: what a method cannot have need not be compiled for it.
         if <M::Reconstruction as Reconstruction<T, D>>::REBUILDS_NODES {
+            if let Some(split) = split {
+                self.split(split, &mut kept);
+            }
             self.look_around(&mut kept);
             if let Some(fill) = fill {
                 self.fill(fill, &mut kept);
@@ -144,6 +147,7 @@ where
     fn finish(&mut self, event: Event<D>, kept: &mut RearrangerOf<T, D, M, K>) {
         if event.n_cells > 0 {
             self.particles.append(&mut kept.fresh);
+            self.append_lengths();
             self.bin_particles();
             self.ledger.record(event);
         }

@@ -2,7 +2,7 @@
 
 use super::{Event, EventKind, RearrangerOf};
 use crate::Scalar;
-use crate::cells::ABSENT;
+use crate::cells::{ABSENT, CellKind};
 use crate::material::Material;
 use crate::method::Method;
 use crate::settings::Split;
@@ -11,6 +11,9 @@ use crate::step::settle;
 
 /// Half distances of the parts of a point along each axis, m; zero: not split along it.
 type Parts<T, const D: usize> = [T; D];
+
+/// Largest length over α with which a lone point is split: among others it may have been stretched without end.
+const MOST: f64 = 1.25;
 
 impl<T, const D: usize, M, K> Solver<T, D, M, K>
 where
@@ -27,6 +30,13 @@ where
         let mut event = Event::new(self.time, EventKind::Split);
         for slot in 0..self.cells.len() {
             let start = kept.fresh.len();
+            if let Split::Lone(ratio) = split {
+                let points = self.cells.points(slot);
+                if points.len() > 1 || self.cells.kind[slot] == CellKind::Internal {
+                    continue;
+                }
+                self.limit_length(points.start, T::lit(ratio * MOST));
+            }
             for point in self.cells.points(slot) {
                 if let Some(parts) = self.parts(split, point) {
                     self.split_point(point, &parts, kept, &mut event);
@@ -35,6 +45,14 @@ where
             event.n_cells += u64::from(kept.fresh.len() > start);
         }
         self.finish(event, kept);
+    }
+
+    /// Limits the lengths of a point to `most` cells.
+    fn limit_length(&mut self, point: usize, most: T) {
+        let length = &mut self.particles.length[point];
+        for axis in 0..D {
+            length[axis] = length[axis].min(most * self.grid.spacing[axis]);
+        }
     }
 
     /// How a point is split, if it is too large.
@@ -52,7 +70,7 @@ where
                     parts[axis] = self.half_distance(point, axis, length[axis]);
                 }
             }
-            Split::Stretch(ratio) => {
+            Split::Stretch(ratio) | Split::Lone(ratio) => {
                 let length = p.length[point];
                 let cells = |axis: usize| length[axis] * self.grid.inverse_spacing[axis];
                 let axis = (1..D).fold(

@@ -2,6 +2,7 @@
 //! density.
 
 mod density_diffusion;
+mod density_filter;
 mod dilation;
 mod projection;
 
@@ -11,7 +12,7 @@ use crate::formulation::Formulation;
 use crate::material::Material;
 use crate::method::Method;
 use crate::reconstruction::Reconstruction;
-use crate::settings::{Projection, Settings};
+use crate::settings::{Projection, ProjectionKind, Settings};
 use crate::solver::Solver;
 use crate::step::{AffineOf, CellSamples, ScatterParts, View, node_velocity, particles_to_grid};
 use crate::transfer::Transfer;
@@ -30,6 +31,9 @@ pub(crate) struct Smoother<T, const D: usize, A> {
     at_nodes: Vec<[T; 4]>,
     rest: Vec<[T; 4]>,
     at_cells: Vec<T>,
+    /// Densities of the cells and of the points before they are filtered, kg/m³.
+    fitted: Vec<T>,
+    density: Vec<T>,
     /// Divergence of each point, 1/s, where it was smoothed in this step.
     pub(crate) divergence: Vec<T>,
 }
@@ -66,6 +70,11 @@ where
                 "absent where the scene has bodies, whose forces are summed before it",
             ),
             (
+                "projection.kind",
+                projection.is_some_and(|p| p.kind == ProjectionKind::AllAndDensity) && !rebuilds,
+                "`velocity` or `all`, or a method that reconstructs fields",
+            ),
+            (
                 "dilation",
                 dilation.is_some() && (by_cell || rebuilds || by_fits),
                 "absent, or a variant with carried values whose divergence is that of its points",
@@ -95,6 +104,8 @@ where
             at_nodes: Vec::new(),
             rest: Vec::new(),
             at_cells: Vec::new(),
+            fitted: Vec::new(),
+            density: Vec::new(),
             divergence: Vec::new(),
         }));
         Ok(())

@@ -1,5 +1,7 @@
 //! The divergence that strains a point: at the point, or from the cells around it.
 
+use std::ops::Range;
+
 use super::GridState;
 use crate::Scalar;
 use crate::cells::ABSENT;
@@ -8,22 +10,26 @@ use crate::material::Material;
 use crate::method::Method;
 
 /// Divergence at the points of one cell.
-pub(super) enum CellDivergence<T> {
+pub(super) enum CellDivergence<'a, T> {
     /// Trace of the velocity gradient at the point.
     AtPoint,
-    /// As given for the point, 1/s.
-    OfPoint(T),
+    /// As given for each point, 1/s.
+    OfPoints(&'a [T]),
     /// Weighted mean of the 3^D cells around.
     Around(PointDivergence, [T; 27]),
 }
 
-impl<T: Scalar> CellDivergence<T> {
+impl<'a, T: Scalar> CellDivergence<'a, T> {
+    /// For the points of a cell, given by their numbers.
     #[inline(always)]
     pub fn around<const D: usize, M: Method<T, D>, K: Material<T, D>>(
-        state: &GridState<'_, T, D, M, K>,
-        slot: usize,
+        state: &GridState<'a, T, D, M, K>,
+        (slot, points): (usize, Range<usize>),
         cell: [usize; D],
     ) -> Self {
+        if !state.source.at_points.is_empty() {
+            return Self::OfPoints(&state.source.at_points[points]);
+        }
         let Formulation::VelocityPressure(kind) = state.method.formulation() else {
             return Self::AtPoint;
         };
@@ -50,11 +56,12 @@ impl<T: Scalar> CellDivergence<T> {
         Self::Around(kind, around)
     }
 
+    /// At point number `point` of the cell, `xi` being its place in it.
     #[inline(always)]
-    pub fn at<const D: usize>(&self, xi: &[T; D]) -> T {
+    pub fn at<const D: usize>(&self, point: usize, xi: &[T; D]) -> T {
         let (kind, around) = match self {
             Self::AtPoint => return T::zero(),
-            Self::OfPoint(divergence) => return *divergence,
+            Self::OfPoints(divergence) => return divergence[point],
             Self::Around(PointDivergence::Constant, around) => return around[0],
             Self::Around(kind, around) => (*kind, around),
         };

@@ -124,8 +124,9 @@ where
             let cell = grid.cell_coordinates(state.cells.index[slot]);
             let frame = Frame::new(simd, &shape, state.grid, cell);
             let shape = shape_in_cell(&shape, state.grid, state.cells, cell);
+            let of_cell = state.cells.points(slot);
             let cell_divergence = if pass.state {
-                CellDivergence::around(state, slot, cell)
+                CellDivergence::around(state, (slot, of_cell.clone()), cell)
             } else {
                 CellDivergence::AtPoint
             };
@@ -135,7 +136,6 @@ where
             if want.increment {
                 increment = StencilNodes::load::<M::Shape, D>(simd, state.increment, starts, 0);
             }
-            let of_cell = state.cells.points(slot);
             let first = of_cell.start;
             let mut points = points.part(first - begin..of_cell.end - begin);
             for p in 0..of_cell.len() {
@@ -170,10 +170,7 @@ where
                 }
                 let mut density = points.density[p];
                 if pass.state {
-                    let smoothed = state.source.at_points.get(first + p);
-                    let smoothed = smoothed.map(|&divergence| CellDivergence::OfPoint(divergence));
-                    let divergence = smoothed.as_ref().unwrap_or(&cell_divergence);
-                    let found = (&found, old, divergence, cell);
+                    let found = (&found, old, &cell_divergence, cell);
                     density = self.strain(simd, p, &mut points, &site, found);
                 }
                 if pass.motion {
@@ -221,8 +218,8 @@ where
                     StencilNodes::load::<M::Shape, D>(simd, source.velocity, site.starts, 0);
                 site.gather(simd, want, &velocity, &StencilNodes::zero(simd)).divergence
             }
-            CellDivergence::OfPoint(_) | CellDivergence::Around(..) => {
-                cell_divergence.at(&grid_xi(self.state.grid, cell, points.position[p]))
+            CellDivergence::OfPoints(_) | CellDivergence::Around(..) => {
+                cell_divergence.at(p, &grid_xi(self.state.grid, cell, points.position[p]))
             }
         };
         let before = points.density[p];
@@ -246,7 +243,8 @@ where
 
 /// What the strain of a point is found from: sums over its nodes, its velocity before the step, the
 /// divergences around, and its cell.
-type Found<'a, T, const D: usize> = (&'a Gathered<T, D>, [T; D], &'a CellDivergence<T>, [usize; D]);
+type Found<'a, T, const D: usize> =
+    (&'a Gathered<T, D>, [T; D], &'a CellDivergence<'a, T>, [usize; D]);
 
 /// Kinetic energy per mass that the nodes gave a point and that it does not have, J/kg.
 ///

@@ -200,22 +200,40 @@ where
         let rows = self.cell_samples.rows(&view.method.shape(), view.grid, (slot, cell));
         let by_cells = <M::Reconstruction as Reconstruction<T, D>>::BY_CELLS;
         let mass = if full && !by_cells { center.density * center.volume } else { T::zero() };
-        let value = [T::zero(), T::zero(), T::zero(), mass];
         let state = if full { center.state } else { StateOf::<T, D, K>::default() };
-        let flux = self.flux(center.pressure * center.volume, center.volume, &state);
-        let zero = splat(simd, T::zero());
-        let mut spread = Spread { value: load(simd, &value), affine: [zero; D], flux: [zero; D] };
-        for axis in 0..D {
-            spread.flux[axis] = load(simd, &flux[axis]);
-        }
         let none = [[T::zero(); MAX_WIDTH]; D];
         let site = Site { rows: &rows, moments: &none };
         let (begin, starts) = (target.node_begin, target.starts::<D>(M::Shape::REACH, slot));
         let nodes =
             if fuses_impulse::<T, D, M>() { &mut *target.transfer } else { &mut *target.force };
         let mut sums = StencilNodes::load::<M::Shape, D>(simd, nodes, starts, begin);
-        site.add::<S, M::Shape>(simd, (false, true), &spread, &mut sums);
+        let work = center.pressure * center.volume;
+        self.add_sample(simd, &site, (center.volume, mass, work), &state, &mut sums);
         sums.store::<M::Shape, D>(nodes, starts, begin);
+    }
+
+    /// Mass and stress of a sample: of its volume, and `volume * pressure`, which is zero where the cell has it.
+    #[inline(always)]
+    fn add_sample<S: Simd>(
+        &self,
+        simd: S,
+        site: &Site<'_, T, D>,
+        (volume, mass, work): (T, T, T),
+        state: &StateOf<T, D, K>,
+        sums: &mut StencilNodes<T, S>,
+    ) {
+        if !K::PRESENT {
+            let scale = if fuses_impulse::<T, D, M>() { self.dt } else { T::one() };
+            site.add_isotropic::<S, M::Shape>(simd, (scale * work, mass), sums);
+            return;
+        }
+        let (flux, zero) = (self.flux(work, volume, state), splat(simd, T::zero()));
+        let value = load(simd, &[T::zero(), T::zero(), T::zero(), mass]);
+        let mut spread = Spread { value, affine: [zero; D], flux: [zero; D] };
+        for axis in 0..D {
+            spread.flux[axis] = load(simd, &flux[axis]);
+        }
+        site.add::<S, M::Shape>(simd, (false, true), &spread, sums);
     }
 
     /// Momentum and mass of a cell as polynomials in it, integrated with linear hats:
@@ -332,19 +350,19 @@ where
             let (volume, sample_mass) = volumes.of(first + point, mass, density);
             let pressure = view.physics.pressure(density, &p.state[point]);
             let work = if with_pressure { volume * pressure } else { T::zero() };
-            let flux = self.flux(work, volume, &p.state[point]);
-            for axis in 0..D {
-                spread.flux[axis] = load(simd, &flux[axis]);
-            }
             if fuses_impulse::<T, D, M>() {
+                let flux = self.flux(work, volume, &p.state[point]);
+                for axis in 0..D {
+                    spread.flux[axis] = load(simd, &flux[axis]);
+                }
                 site.add::<S, M::Shape>(simd, (affine, true), &spread, &mut transfer);
             } else {
                 site.add::<S, M::Shape>(simd, (affine, false), &spread, &mut transfer);
-                spread.value = load(simd, &[T::zero(), T::zero(), T::zero(), sample_mass]);
                 // Held for all points, forces and momenta together are more than fits in 16 registers.
                 let mut force =
                     StencilNodes::load::<M::Shape, D>(simd, target.force, starts, begin);
-                site.add::<S, M::Shape>(simd, (false, true), &spread, &mut force);
+                let sample = (volume, sample_mass, work);
+                self.add_sample(simd, &site, sample, &p.state[point], &mut force);
                 force.store::<M::Shape, D>(target.force, starts, begin);
             }
         }

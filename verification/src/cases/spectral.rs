@@ -47,7 +47,7 @@ use crate::judge::Check;
 use crate::progress::Progress;
 use crate::record::RunRecord;
 use crate::report::Artifact;
-pub(super) use growth::of_one_step;
+pub(super) use growth::of_one_period;
 use growth::{measure, missing_rows};
 pub(super) use step::{Step, scene as full_box};
 

@@ -215,7 +215,7 @@ impl Wave {
         if let Some(projection) = self.settings.projection.filter(|_| projects) {
             let seen: C = self.to_node.iter().zip(&self.value).map(|(r, value)| r * value).sum();
             let first = match projection.kind {
-                ProjectionKind::All => after.clone(),
+                ProjectionKind::All | ProjectionKind::AllAndDensity => after.clone(),
                 ProjectionKind::Velocity => before.clone(),
             };
             let (mut factor, mut rest) = (C::ZERO, C::ONE);

@@ -8,11 +8,12 @@
 //! displaced by up to 0.9, with the policy of free surfaces.
 //!
 //! The map is that of velocity and density. A method whose points carry an affine field besides needs that field,
-//! which an observation does not have: `apic` is put together from its types, others are not judged. Nor are methods
-//! that rearrange points at rest, which then do not stay or are not the same.
+//! which an observation does not have: `apic` is put together from its types, others are not judged. Points are not
+//! rearranged, since they are to stay. What is done in every n-th step makes n steps the map, and their growth is
+//! shared out among them.
 
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
-use transpoint::variants::{Rearrangement, TransferKind};
+use transpoint::variants::TransferKind;
 use transpoint::{Scene, Settings, Variant};
 
 use super::list::{Goal, HardCase, Run};
@@ -20,7 +21,7 @@ use super::trial::{Built, COURANT, Measured, Trial, refused, worse};
 use crate::case::{Outcome, Tier};
 use crate::cases::free_surface::RELAXATION;
 use crate::cases::lattice::lattice;
-use crate::cases::spectral::{Step, full_box, of_one_step};
+use crate::cases::spectral::{Step, full_box, of_one_period};
 
 /// Cells and displacement, point spacings, in one and in two dimensions.
 const LAYOUTS: [(usize, f64); 2] = [(12, 0.9), (4, 0.5)];
@@ -90,14 +91,18 @@ fn growth<const D: usize>(
     if !is_known {
         return Err(refused(&"the points' affine field is not observed"));
     }
-    // Points that are split are stretched first; all other rearrangement acts on points at rest.
-    let rearranged = trial.variant.settings(settings).rearrangement;
-    if rearranged.is_some_and(|r| Rearrangement { split: None, ..r } != Rearrangement::default()) {
-        return Err(refused(&"a step moves or adds points where all are at rest"));
-    }
+    let period = trial.variant.settings(settings).projection.map_or(1, |filter| filter.interval);
+    let in_place = |scene: &Scene<D>, settings: &Settings| {
+        let mut simulation = build(scene, settings)?;
+        simulation.set_rearrangement(None)?;
+        Ok(simulation)
+    };
     let dt = COURANT / (D as f64).sqrt();
-    let step = Step { variant: trial.variant, settings, build, scene, dt };
-    of_one_step(step, SHARE).map(|(found, _)| found.growth()).map_err(|reason| refused(&reason))
+    let step = Step { variant: trial.variant, settings, build: &in_place, scene, dt, period };
+    let of_period = |growth: f64| (growth.ln_1p() / f64::from(period)).exp_m1();
+    of_one_period(step, SHARE)
+        .map(|(found, _)| of_period(found.growth()))
+        .map_err(|reason| refused(&reason))
 }
 
 /// A column on a floor whose surface is `seed` twentieths of a cell above a face.

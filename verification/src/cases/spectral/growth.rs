@@ -51,8 +51,9 @@ pub(super) fn measure<const D: usize>(
                 build: &|scene, settings| build(variant, scene, settings),
                 scene: scene::<D>(parameters.cells, parameters.jitter, SEED + seed),
                 dt: courant / (D as f64).sqrt(),
+                period: 1,
             };
-            let (found, drift) = of_one_step(step, 1.0)?;
+            let (found, drift) = of_one_period(step, 1.0)?;
             growth = growth.max(found.growth());
             doubling = doubling.max(found.doubling);
             translation = translation.max(drift);
@@ -91,9 +92,9 @@ fn reported(growth: f64, doubling: f64) -> f64 {
     if growth <= NEUTRAL || defective { decade_above(growth.max(1e-15)) } else { growth }
 }
 
-/// The spectrum of one step, and the largest change of a uniform velocity by it. Differences are taken at
+/// The spectrum of one period of steps, and the largest change of a uniform velocity by it. Differences are taken at
 /// `share` of their usual distance, a power of two.
-pub(in crate::cases) fn of_one_step<const D: usize>(
+pub(in crate::cases) fn of_one_period<const D: usize>(
     mut step: Step<'_, D>,
     share: f64,
 ) -> Result<(Spectrum, f64), String> {

@@ -18,13 +18,16 @@ pub(super) type Built<const D: usize> = Result<Box<dyn Simulation<D>>, InvalidIn
 /// Builds a simulation in a fixed dimension.
 pub(in crate::cases) type Build<'a, const D: usize> = &'a dyn Fn(&Scene<D>, &Settings) -> Built<D>;
 
-/// One step of a method on given points.
+/// One step of a method on given points, or one period of steps.
 pub(in crate::cases) struct Step<'a, const D: usize> {
     pub(in crate::cases) variant: Variant,
     pub(in crate::cases) settings: &'a Settings,
     pub(in crate::cases) build: Build<'a, D>,
     pub(in crate::cases) scene: Scene<D>,
     pub(in crate::cases) dt: f64,
+    /// Steps of the map: the period of what is done in every n-th step. From rest, points move by so little in
+    /// them that it does not count.
+    pub(in crate::cases) period: u32,
 }
 
 impl<const D: usize> Step<'_, D> {
@@ -41,7 +44,7 @@ impl<const D: usize> Step<'_, D> {
         state
     }
 
-    /// Writes to `after` the state after one step from `state` at the positions of the scene.
+    /// Writes to `after` the state after one period from `state` at the positions of the scene.
     pub(super) fn advance(&mut self, state: &[f64], after: &mut [f64]) -> Result<(), String> {
         let width = self.width();
         for (point, values) in self.scene.points.iter_mut().zip(state.chunks(width)) {
@@ -57,7 +60,9 @@ impl<const D: usize> Step<'_, D> {
     fn plain_step(&self, after: &mut [f64]) -> Result<(), String> {
         let mut simulation =
             (self.build)(&self.scene, self.settings).map_err(|error| error.to_string())?;
-        simulation.step(self.dt).map_err(|error| error.to_string())?;
+        for _ in 0..self.period {
+            simulation.step(self.dt).map_err(|error| error.to_string())?;
+        }
         let width = self.width();
         simulation.visit_points(&mut |point| {
             let values = &mut after[point.id as usize * width..][..width];

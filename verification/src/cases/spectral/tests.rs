@@ -31,6 +31,7 @@ fn determinant_of_linear_mpm_is_the_known_one() {
             build: &|scene, settings| Variant::Mpm.build_1d(scene, settings),
             scene: centered(),
             dt: courant,
+            period: 1,
         };
         let base = step.base();
         let matrix = jacobian(&base, |state, after| step.advance(state, after)).unwrap();
@@ -53,6 +54,7 @@ fn affine_step_is_the_variant() {
         build: &|scene, settings| Variant::Apic.build_2d(scene, settings),
         scene: scene::<2>(4, 0.5, 3),
         dt: 0.3,
+        period: 1,
     };
     let mut state = step.base();
     for (k, value) in state.iter_mut().enumerate() {

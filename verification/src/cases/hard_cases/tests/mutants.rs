@@ -3,7 +3,8 @@
 use transpoint::rearrangement::Ledger;
 use transpoint::simulation::{Conserved, PointState, StableTimeStep};
 use transpoint::telemetry::Counters;
-use transpoint::{Observation, Scene, Settings, Simulation, StepError, Variant};
+use transpoint::variants::Rearrangement;
+use transpoint::{InvalidInput, Observation, Scene, Settings, Simulation, StepError, Variant};
 
 use crate::cases::hard_cases::trial::{Builder, Built};
 
@@ -145,6 +146,10 @@ impl<const D: usize> Simulation<D> for Spoilt<D> {
 
     fn body_forces(&self) -> &[[f64; D]] {
         self.inner.body_forces()
+    }
+
+    fn set_rearrangement(&mut self, settings: Option<Rearrangement>) -> Result<(), InvalidInput> {
+        self.inner.set_rearrangement(settings)
     }
 
     fn bytes_per_point(&self) -> usize {
