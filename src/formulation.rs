@@ -50,3 +50,18 @@ impl PointDivergence {
         }
     }
 }
+
+/// Sum of the values of the 3^D cells around one, the first axis counting fastest, with a weight of each axis.
+#[inline(always)]
+pub(crate) fn weighted<T: Scalar, const D: usize>(weights: [[T; 3]; D], around: &[T; 27]) -> T {
+    let mut sum = T::zero();
+    for (code, value) in around.iter().enumerate().take(3_usize.pow(D as u32)) {
+        let (mut rest, mut weight) = (code, T::one());
+        for row in weights {
+            weight *= row[rest % 3];
+            rest /= 3;
+        }
+        sum += weight * *value;
+    }
+    sum
+}

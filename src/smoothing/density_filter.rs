@@ -3,7 +3,7 @@
 use super::SmootherOf;
 use crate::Scalar;
 use crate::cells::Cells;
-use crate::formulation::PointDivergence;
+use crate::formulation::{PointDivergence, weighted};
 use crate::grid::Grid;
 use crate::material::Material;
 use crate::method::Method;
@@ -136,14 +136,5 @@ fn interpolated<T: Scalar, const D: usize>(
         }
         weights[axis] = [below, here, above];
     }
-    let mut sum = T::zero();
-    for (code, value) in around.iter().enumerate().take(3_usize.pow(D as u32)) {
-        let (mut rest, mut weight) = (code, T::one());
-        for row in weights {
-            weight *= row[rest % 3];
-            rest /= 3;
-        }
-        sum += weight * *value;
-    }
-    sum
+    weighted(weights, around)
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::GridState;
 use crate::Scalar;
 use crate::cells::ABSENT;
-use crate::formulation::{Formulation, PointDivergence};
+use crate::formulation::{Formulation, PointDivergence, weighted};
 use crate::material::Material;
 use crate::method::Method;
 
@@ -66,15 +66,6 @@ impl<'a, T: Scalar> CellDivergence<'a, T> {
             Self::Around(kind, around) => (*kind, around),
         };
         let weights = xi.map(|x| kind.weights(x));
-        let mut sum = T::zero();
-        for (code, value) in around.iter().enumerate().take(3_usize.pow(D as u32)) {
-            let (mut rest, mut weight) = (code, T::one());
-            for row in weights {
-                weight *= row[rest % 3];
-                rest /= 3;
-            }
-            sum += weight * *value;
-        }
-        sum
+        weighted(weights, around)
     }
 }

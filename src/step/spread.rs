@@ -93,7 +93,7 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
         }
         let mut along = [splat(simd, o); MAX_WIDTH];
         for k in 0..H::WIDTH {
-            along[k] = self.entries(simd, inner, (last.weight[k], work * last.gradient[k]));
+            along[k] = entries(simd, inner, (last.weight[k], work * last.gradient[k]));
         }
         let outer = &self.rows[0];
         for i in 0..H::WIDTH {
@@ -113,7 +113,7 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
             let middle = &self.rows[1];
             for j in 0..H::WIDTH {
                 let of_axis = (middle.weight[j], middle.gradient[j]);
-                let line = plane * self.entries(simd, 1, of_axis);
+                let line = plane * entries(simd, 1, of_axis);
                 let index = outer.first * H::REACH + middle.first + i * H::REACH + j;
                 let row = &mut sums.0[index];
                 for k in 0..H::WIDTH {
@@ -121,14 +121,6 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
                 }
             }
         }
-    }
-
-    /// A function's value in all entries but that of its axis, which has the slope.
-    #[inline(always)]
-    fn entries<S: Simd>(&self, simd: S, axis: usize, (value, slope): (T, T)) -> T::Four<S> {
-        let mut entries = [value; 4];
-        entries[axis] = slope;
-        load(simd, &entries)
     }
 
     /// Takes function `k` of an axis but the last; the last axis' columns are left alone.
@@ -162,6 +154,14 @@ impl<T: Scalar, const D: usize> Site<'_, T, D> {
         }
         taken
     }
+}
+
+/// A function's value in all entries but that of its axis, which has the slope.
+#[inline(always)]
+fn entries<T: Scalar, S: Simd>(simd: S, axis: usize, (value, slope): (T, T)) -> T::Four<S> {
+    let mut entries = [value; 4];
+    entries[axis] = slope;
+    load(simd, &entries)
 }
 
 /// The last axis: a stencil row of nodes.
