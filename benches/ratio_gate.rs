@@ -1,7 +1,7 @@
 //! Gate: the generic step may take at most 1.5 times as long as the plain kernel of the same scheme,
 //! and TPM at most 6 times as long as linear MPM.
 //!
-//! Linear MPM does not reach 1.5 yet and has limits of its own, a quarter above what was measured when
+//! Linear MPM in 2D does not reach 1.5 yet and has limits of its own, a quarter above what was measured when
 //! they were set. They are there to be lowered.
 //!
 //! Both run in turns in one process; the shortest thread CPU time counts. What else the machine does can only
@@ -25,11 +25,10 @@ use timing::{in_turns, short, thread_time, wall_time};
 
 /// Largest ratio that passes; the target is 1.3. Affine transfers were measured at 1.0 to 1.1, TPM at 1.2.
 const LIMIT: f64 = 1.5;
-/// Schemes that miss it, with the largest ratio that passes. Linear MPM: with four or eight nodes per
-/// point the generic bookkeeping of a point weighs as much as its sums (measured 1.4 in 3D, 1.6 to 1.7 in 2D;
-/// more on a busy machine).
-const PROVISIONAL: [(&str, f64); 3] =
-    [("mpm-3d-f64", 1.7), ("mpm-2d-f64", 2.1), ("mpm-2d-f64-sorting", 2.1)];
+/// Schemes that miss it, with the largest ratio that passes. Linear MPM in 2D: with four nodes per point the generic
+/// bookkeeping of a point weighs as much as its sums (measured 1.5 to 1.6; more on a busy machine). In 3D it takes
+/// 1.25 times as long.
+const PROVISIONAL: [(&str, f64); 2] = [("mpm-2d-f64", 2.0), ("mpm-2d-f64-sorting", 2.0)];
 
 /// Largest ratio of a scheme that passes.
 fn limit_of(name: &str) -> f64 {
