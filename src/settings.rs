@@ -344,7 +344,8 @@ pub enum Split {
     /// start as those of a piece of a cell with the point's volume, and the flow stretches them.
     Stretch(f64),
     /// The same, but only where the point is alone in a cell that is cut by the surface: a film or a jet stays
-    /// connected, and the number of points within bounds.
+    /// connected, and the number of points within bounds. Lengths of such points are kept below 1.25 α cells, which
+    /// `n_lengths_limited` counts: among others they may have been stretched without end.
     Lone(f64),
 }
 

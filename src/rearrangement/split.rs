@@ -51,7 +51,9 @@ where
     fn limit_length(&mut self, point: usize, most: T) {
         let length = &mut self.particles.length[point];
         for axis in 0..D {
-            length[axis] = length[axis].min(most * self.grid.spacing[axis]);
+            let within = length[axis].min(most * self.grid.spacing[axis]);
+            self.counters.n_lengths_limited += u64::from(within != length[axis]);
+            length[axis] = within;
         }
     }
 

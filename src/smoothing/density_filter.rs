@@ -74,10 +74,7 @@ where
                 let cell = grid.cell_coordinates(cells.index[slot]);
                 let around = around(grid, cells, cell, (slot, at_cells));
                 for point in cells.points(slot) {
-                    let density = interpolated(grid, cell, &around, position[point]);
-                    if density > T::zero() {
-                        part[point - begin] = density;
-                    }
+                    part[point - begin] = interpolated(grid, cell, &around, position[point]);
                 }
             }
         };
