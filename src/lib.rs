@@ -34,6 +34,7 @@ pub mod method;
 pub mod settings;
 pub mod step;
 
+mod affine_density;
 mod bodies;
 pub mod conservation;
 mod failure;

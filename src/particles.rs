@@ -9,7 +9,7 @@ pub const POINT_GRAIN: usize = 16_384;
 
 /// State of all points; `A` is the affine velocity field and `S` the state of the material, both `()` when absent.
 ///
-/// All arrays but `length` have the same length. An absent ingredient is an array of `()`, which takes no memory.
+/// All arrays but `length` and `density_slope` have the same length. An absent ingredient is an array of `()`, which takes no memory.
 #[derive(Clone, Debug)]
 pub struct Particles<T, const D: usize, A, S> {
     /// Identifier given at creation.
@@ -31,6 +31,8 @@ pub struct Particles<T, const D: usize, A, S> {
     /// Lengths along the axes, m, that the flow stretches; empty unless points are split by them or the shape
     /// functions depend on them.
     pub length: Vec<[T; D]>,
+    /// Slope of the density, kg/m⁴; empty unless density is affine.
+    pub density_slope: Vec<[T; D]>,
 }
 
 impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
@@ -45,6 +47,7 @@ impl<T, const D: usize, A, S> Default for Particles<T, D, A, S> {
             affine: Vec::new(),
             state: Vec::new(),
             length: Vec::new(),
+            density_slope: Vec::new(),
         }
     }
 }
@@ -94,6 +97,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         permute(&mut self.affine, &source.affine, order);
         permute(&mut self.state, &source.state, order);
         permute(&mut self.length, &source.length, order);
+        permute(&mut self.density_slope, &source.density_slope, order);
     }
 
     /// Moves all points of another set to the end of this one.
@@ -107,6 +111,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         self.affine.append(&mut other.affine);
         self.state.append(&mut other.state);
         self.length.append(&mut other.length);
+        self.density_slope.append(&mut other.density_slope);
     }
 
     /// Drops all points but the first `n`.
@@ -120,6 +125,7 @@ impl<T: Scalar, const D: usize, A: Field<T>, S: Field<T>> Particles<T, D, A, S> 
         self.affine.truncate(n);
         self.state.truncate(n);
         self.length.truncate(n);
+        self.density_slope.truncate(n);
     }
 
     /// A range of the points, every array cut to the same length.

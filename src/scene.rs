@@ -132,6 +132,10 @@ pub struct PointSpec<const D: usize> {
     /// Velocity gradient `[i][j] = ∂v_i/∂x_j`, 1/s: the start of affine fields; others ignore it.
     #[serde(default = "zero_gradient", with = "axes2", skip_serializing_if = "is_zero")]
     pub velocity_gradient: [[f64; D]; D],
+    /// Slope of the density, kg/m⁴: the start of affine densities, which take it from the points around where it is
+    /// absent; others ignore it.
+    #[serde(default, with = "optional_axes", skip_serializing_if = "Option::is_none")]
+    pub density_slope: Option<[f64; D]>,
     /// Specific internal energy e, J/kg, for scenes with the energy equation.
     #[serde(default, skip_serializing_if = "is_zero_energy")]
     pub energy: f64,
@@ -141,7 +145,8 @@ impl<const D: usize> PointSpec<D> {
     /// A point without a velocity gradient and without internal energy.
     pub fn new(position: [f64; D], velocity: [f64; D], density: f64, mass: f64) -> Self {
         let velocity_gradient = zero_gradient();
-        Self { position, velocity, density, mass, velocity_gradient, energy: 0.0 }
+        let density_slope = None;
+        Self { position, velocity, density, mass, velocity_gradient, density_slope, energy: 0.0 }
     }
 }
 
@@ -246,6 +251,30 @@ mod axes {
         values
             .try_into()
             .map_err(|_| S::Error::custom(format!("expected {D} entries, found {found}")))
+    }
+}
+
+/// Vectors in scene files that may be left out.
+mod optional_axes {
+    use serde::{Deserializer, Serializer};
+
+    use super::axes;
+
+    #[expect(clippy::ref_option, reason = "serde's signature")]
+    pub fn serialize<S: Serializer, const D: usize>(
+        values: &Option<[f64; D]>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        match values {
+            Some(values) => axes::serialize(values, serializer),
+            None => serializer.serialize_none(),
+        }
+    }
+
+    pub fn deserialize<'de, S: Deserializer<'de>, const D: usize>(
+        deserializer: S,
+    ) -> Result<Option<[f64; D]>, S::Error> {
+        axes::deserialize(deserializer).map(Some)
     }
 }
 

@@ -51,6 +51,14 @@ pub fn check_points<T: Scalar, const D: usize>(
             let value = format!("{:?}", point.velocity_gradient);
             return Err(InvalidInput::new(field("velocity_gradient"), value, "finite, in 1/s"));
         }
+        if let Some(slope) = point.density_slope.filter(|s| s.iter().any(|v| !v.is_finite())) {
+            let value = format!("{slope:?}");
+            return Err(InvalidInput::new(
+                field("density_slope"),
+                value,
+                "absent, or finite, in kg/m⁴",
+            ));
+        }
         if grid.cell_of(point.position.map(T::lit)).is_none() {
             let value = format!("{:?}", point.position);
             return Err(InvalidInput::new(field("position"), value, "inside the grid's box, in m"));

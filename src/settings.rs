@@ -46,6 +46,9 @@ pub struct Settings {
     /// absent: off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density_diffusion: Option<f64>,
+    /// Whether points carry the slope of their density too, and cells the mean of the points' linear fields.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub affine_density: bool,
     /// Points added, taken away, moved or split between steps; absent: off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rearrangement: Option<Rearrangement>,
@@ -69,6 +72,7 @@ impl Default for Settings {
             projection: None,
             dilation: None,
             density_diffusion: None,
+            affine_density: false,
             rearrangement: None,
         }
     }

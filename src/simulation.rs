@@ -8,8 +8,9 @@ use crate::method::Method;
 use crate::rearrangement::Ledger;
 use crate::settings::Rearrangement;
 use crate::solver::Solver;
-use crate::step::ParticlesOf;
+use crate::step::{AffineOf, ParticlesOf};
 use crate::telemetry::Counters;
+use crate::transfer::Transfer;
 
 /// State of one point as reported to the outside, in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +31,10 @@ pub struct PointState<const D: usize> {
     pub energy: f64,
     /// Deviatoric stress, tension positive, Pa.
     pub stress: [[f64; D]; D],
+    /// Affine velocity field `[i][j]`: change of v_i per metre along x_j, 1/s; zero where points carry none.
+    pub velocity_gradient: [[f64; D]; D],
+    /// Slope of the density, kg/m⁴; zero where points carry none.
+    pub density_slope: [f64; D],
 }
 
 impl<const D: usize> PointState<D> {
@@ -123,6 +128,18 @@ pub trait Simulation<const D: usize>: Send {
     fn bytes_per_point(&self) -> usize;
 }
 
+/// The affine field of a point as a matrix, 1/s; zero where it carries none.
+fn affine_matrix<T: Scalar, const D: usize, M: Method<T, D>>(
+    affine: &AffineOf<T, D, M>,
+) -> [[f64; D]; D] {
+    if !<M::Transfer as Transfer<T, D>>::AFFINE {
+        return [[0.0; D]; D];
+    }
+    std::array::from_fn(|row| {
+        std::array::from_fn(|axis| M::Transfer::affine_entry(affine, row, axis).as_f64())
+    })
+}
+
 /// Points in order of their identifiers; compiled once per dimension.
 fn in_order<const D: usize>(mut points: Vec<PointState<D>>) -> Vec<PointState<D>> {
     points.sort_unstable_by_key(|point| point.id);
@@ -169,6 +186,11 @@ where
                 mass: p.mass[k].as_f64(),
                 energy: K::energy(&p.state[k]).as_f64(),
                 stress: K::stress(&p.state[k]).map(|row| row.map(Scalar::as_f64)),
+                velocity_gradient: affine_matrix::<T, D, M>(&p.affine[k]),
+                density_slope: p
+                    .density_slope
+                    .get(k)
+                    .map_or([0.0; D], |slope| slope.map(Scalar::as_f64)),
             });
         }
     }
@@ -198,7 +220,8 @@ where
     }
 
     fn bytes_per_point(&self) -> usize {
-        let stretched = if self.particles.length.is_empty() { 0 } else { size_of::<[T; D]>() };
-        ParticlesOf::<T, D, M, K>::bytes_per_point() + stretched
+        let optional = [&self.particles.length, &self.particles.density_slope];
+        let carried = optional.into_iter().filter(|values| !values.is_empty()).count();
+        ParticlesOf::<T, D, M, K>::bytes_per_point() + carried * size_of::<[T; D]>()
     }
 }

@@ -1,6 +1,7 @@
 //! The solver: a method on a scene, one step at a time.
 
 use crate::Scalar;
+use crate::affine_density::AffineDensity;
 use crate::bodies::Bodies;
 use crate::cells::{ABSENT, Binned, Cells};
 use crate::equation_of_state::EquationOfState;
@@ -72,6 +73,7 @@ where
     pub(crate) inflow: Option<Box<InflowOf<T, D, M, K>>>,
     pub(crate) bodies: Option<Box<Bodies<T, D>>>,
     pub(crate) smoother: Option<Box<SmootherOf<T, D, M>>>,
+    pub(crate) affine_density: Option<Box<AffineDensity<T, D>>>,
     /// Number of the next new point.
     pub(crate) next_id: u32,
     /// Mass by the quadrature of the last step, where points were sorted since, kg.
@@ -149,6 +151,7 @@ where
             inflow: None,
             bodies: None,
             smoother: None,
+            affine_density: None,
             next_id: scene.points.len() as u32,
             grid_mass_before: 0.0,
             columns: Columns::default(),
@@ -389,10 +392,14 @@ where
         if pass.motion {
             self.stretch_lengths(dt);
         }
+        if pass.state {
+            self.strain_slopes(dt);
+        }
         let Self { method, physics, grid, cells, particles, nodes, divergence, .. } = self;
         let rebuilt = self.strain_is_rebuilt;
         let velocity = if rebuilt { &nodes.rebuilt } else { &nodes.velocity };
-        let at_points = self.smoother.as_ref().map_or(&[][..], |kept| &kept.divergence);
+        let smooth = self.smoother.as_ref().map_or(&[][..], |kept| &kept.divergence);
+        let at_points = self.affine_density.as_ref().map_or(smooth, |kept| &kept.divergence);
         let source = StateSource { velocity, is_end_velocity: !rebuilt, divergence, at_points };
         let Nodes { rows, velocity, increment, .. } = &*nodes;
         let flip_share = if self.takes_all { T::zero() } else { method.transfer().flip_share(dt) };

@@ -15,6 +15,8 @@ pub struct Counters {
     pub n_samples: u64,
     /// Moving-least-squares systems solved.
     pub n_reconstructions: u64,
+    /// Affine densities of cells: sums over the points of 3^D cells.
+    pub n_affine_sums: u64,
     /// Reconstructions that fell back to a constant basis because the moments were singular.
     pub n_singular_fallbacks: u64,
     /// Reconstructions changed by the positivity limiter.
@@ -66,6 +68,7 @@ impl Counters {
             n_node_updates: self.n_node_updates + other.n_node_updates,
             n_samples: self.n_samples + other.n_samples,
             n_reconstructions: self.n_reconstructions + other.n_reconstructions,
+            n_affine_sums: self.n_affine_sums + other.n_affine_sums,
             n_singular_fallbacks: self.n_singular_fallbacks + other.n_singular_fallbacks,
             n_positivity_limited: self.n_positivity_limited + other.n_positivity_limited,
             n_leverage_limited: self.n_leverage_limited + other.n_leverage_limited,
@@ -89,7 +92,7 @@ impl Counters {
     }
 
     /// Name and value of each counter, in a fixed order.
-    pub fn entries(&self) -> [(&'static str, u64); 25] {
+    pub fn entries(&self) -> [(&'static str, u64); 26] {
         [
             ("n_steps", self.n_steps),
             ("n_point_updates", self.n_point_updates),
@@ -97,6 +100,7 @@ impl Counters {
             ("n_node_updates", self.n_node_updates),
             ("n_samples", self.n_samples),
             ("n_reconstructions", self.n_reconstructions),
+            ("n_affine_sums", self.n_affine_sums),
             ("n_singular_fallbacks", self.n_singular_fallbacks),
             ("n_positivity_limited", self.n_positivity_limited),
             ("n_leverage_limited", self.n_leverage_limited),

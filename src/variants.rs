@@ -60,6 +60,15 @@ fn keep_even(settings: &mut Settings) {
     rearrangement.shift = Some(Shift { strength: 0.1, interval: 10 });
 }
 
+/// The same, with lone points split, crowded cells reduced, cut cells balanced, velocity and density filtered.
+fn cell_adjoint(settings: &mut Settings) {
+    keep_even(settings);
+    split(settings, Split::Lone(LONE));
+    settings.rearrangement.get_or_insert_default().most_points = Some(MOST_POINTS);
+    settings.point_volume = PointVolume::Balanced;
+    settings.projection = Some(FILTER_BOTH);
+}
+
 /// Defines the variants: one entry each, in the order of tables and legends.
 macro_rules! variants {
     ($(
@@ -281,12 +290,17 @@ variants! {
 
     /// Cell-adjoint transport points: `tpm-vp2-even`, velocity and density filtered, cut cells balanced.
     CellAdjoint = "catp", "`tpm-vp2-even`, velocity and density filtered in every 8th step, cut cells balanced [Nairn2021]",
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| cell_adjoint(s);
+
+    /// `tpm-vp2` with affine density.
+    TpmAffine = "tpm-affine", "`tpm-vp2`, points carry the slope of their density [Jiang2015]",
+        [Linear, TransportPoints, Flip, QUADRATIC], |s| s.affine_density = true;
+
+    /// `catp` with affine density.
+    CellAdjointAffine = "catp-affine", "`catp`, points carry the slope of their density [Jiang2015]",
         [Linear, TransportPoints, Flip, QUADRATIC], |s| {
-            keep_even(s);
-            split(s, Split::Lone(LONE));
-            s.rearrangement.get_or_insert_default().most_points = Some(MOST_POINTS);
-            s.point_volume = PointVolume::Balanced;
-            s.projection = Some(FILTER_BOTH);
+            cell_adjoint(s);
+            s.affine_density = true;
         };
 }
 

@@ -7,6 +7,7 @@ mod generic;
 #[expect(dead_code, reason = "each user takes a part of it")]
 mod plain;
 
+mod affine_density;
 mod balanced_samples;
 mod bodies;
 mod boundaries;

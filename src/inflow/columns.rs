@@ -108,6 +108,11 @@ where
                 fresh.density[point] = found.density;
                 fresh.affine[point] = found.affine;
                 fresh.state[point] = found.state;
+                if let (Some(slope), Some(found)) =
+                    (fresh.density_slope.last_mut(), found.density_slope)
+                {
+                    *slope = found;
+                }
             }
             fresh.mass[point] = mass;
         }

@@ -193,6 +193,16 @@ impl<T: Scalar, const D: usize> Inlet<T, D> {
         T::lit(self.law.density(pressure, 0.0))
     }
 
+    /// Slope of the prescribed density, kg/m⁴, by differences over a point's spacing.
+    pub fn density_slope_at(&self, position: [T; D]) -> [T; D] {
+        std::array::from_fn(|axis| {
+            let (mut before, mut after) = (position, position);
+            before[axis] -= T::lit(0.5) * self.pitch[axis];
+            after[axis] += T::lit(0.5) * self.pitch[axis];
+            (self.density_at(after) - self.density_at(before)) / self.pitch[axis]
+        })
+    }
+
     /// Volume of a point, m³.
     pub fn point_volume(&self) -> T {
         self.pitch.iter().fold(T::one(), |volume, &pitch| volume * pitch)

@@ -133,6 +133,9 @@ where
         let position = p.position[point];
         p.velocity[point] = inlet.velocity_at(position);
         p.density[point] = inlet.density_at(position);
+        if let Some(slope) = p.density_slope.get_mut(point) {
+            *slope = inlet.density_slope_at(position);
+        }
         p.affine[point] = <M::Transfer as Transfer<T, D>>::affine_of(inlet.gradient_at(position));
     }
 
@@ -171,6 +174,9 @@ where
         target.state[point] = self.physics.material.initial(T::zero());
         if !self.particles.length.is_empty() {
             target.length.push(inlet.pitch);
+        }
+        if self.affine_density.is_some() {
+            target.density_slope.push(inlet.density_slope_at(position));
         }
     }
 }

@@ -172,6 +172,7 @@ where
             let point = fresh.len() - 1;
             (fresh.cell[point], fresh.affine[point]) = (cell, found.affine);
             fresh.state[point] = found.state;
+            fresh.density_slope.extend(found.density_slope);
         }
         self.counters = self.counters.sum(counters);
         true

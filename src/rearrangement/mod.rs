@@ -14,6 +14,7 @@ pub use fracture::{Survey, survey};
 pub use ledger::{Event, EventKind, EventSum, Ledger, Totals};
 
 use crate::Scalar;
+use crate::affine_density::slope_among;
 use crate::error::InvalidInput;
 use crate::material::Material;
 use crate::math::{Field, Value, Vector};
@@ -161,6 +162,8 @@ pub(crate) struct Fields<T, const D: usize, A, S> {
     pub velocity: [T; D],
     pub affine: A,
     pub state: S,
+    /// Slope of the density, kg/m⁴, where points carry one.
+    pub density_slope: Option<[T; D]>,
 }
 
 pub(crate) type FieldsOf<T, const D: usize, M, K> =
@@ -204,7 +207,9 @@ where
         fit.value()
     })?;
     let density = density.max(view.physics.minimum_density);
-    Some(Fields { density, velocity, affine, state })
+    let is_affine = !p.density_slope.is_empty();
+    let density_slope = is_affine.then(|| slope_among(&cloud, target));
+    Some(Fields { density, velocity, affine, state, density_slope })
 }
 
 /// A field that a method or material may lack.

@@ -142,6 +142,7 @@ where
             (kept.fresh.cell[new], kept.fresh.affine[new]) = (cell, p.affine[point]);
             kept.fresh.state[new] = p.state[point];
             kept.fresh.length.extend(p.length.get(point));
+            kept.fresh.density_slope.extend(p.density_slope.get(point));
         }
         kept.next_id = next_id;
         self.add_totals(&self.particles, point, &mut event.after);

@@ -39,6 +39,7 @@ where
                 kept.at_cells.resize(self.cells.len(), T::zero());
                 kept.fitted.resize(self.cells.len(), T::zero());
                 kept.density.clone_from(&self.particles.density);
+                kept.density_slope.clone_from(&self.particles.density_slope);
                 if (kept.n_steps + 1) % projection.interval == 0 {
                     self.series_of_density(projection.order, &mut kept);
                 }
@@ -52,19 +53,26 @@ where
         for (slot, center) in self.centers.iter().enumerate() {
             (kept.fitted[slot], kept.at_cells[slot]) = (center.density, center.density);
         }
+        let affine = self.affine_density.is_some();
         for _ in 1..order {
             self.spread_density(&kept.at_cells);
             self.rebuild_cells();
             for (slot, center) in self.centers.iter().enumerate() {
-                kept.at_cells[slot] += kept.fitted[slot] - center.density;
+                if !affine || !self.cells.near_surface[slot] {
+                    kept.at_cells[slot] += kept.fitted[slot] - center.density;
+                }
             }
             self.particles.density.clone_from(&kept.density);
+            self.particles.density_slope.clone_from(&kept.density_slope);
         }
         self.spread_density(&kept.at_cells);
     }
 
     /// Cells → points, where all cells around are full.
     fn spread_density(&mut self, at_cells: &[T]) {
+        if self.affine_density.is_some() {
+            return self.spread_affine_density(at_cells);
+        }
         let Self { grid, cells, particles, .. } = self;
         let first = &cells.first;
         let position = &particles.position;

@@ -31,6 +31,7 @@ pub(crate) struct Smoother<T, const D: usize, A> {
     at_nodes: Vec<[T; 4]>,
     rest: Vec<[T; 4]>,
     at_cells: Vec<T>,
+    density_slope: Vec<[T; D]>,
     /// Densities of the cells and of the points before they are filtered, kg/m³.
     fitted: Vec<T>,
     density: Vec<T>,
@@ -104,6 +105,7 @@ where
             at_nodes: Vec::new(),
             rest: Vec::new(),
             at_cells: Vec::new(),
+            density_slope: Vec::new(),
             fitted: Vec::new(),
             density: Vec::new(),
             divergence: Vec::new(),

@@ -1,8 +1,9 @@
 //! Cell values: density, pressure and state of the material at centres, and the divergence of each cell.
 
 use super::interpolate::divergence_at;
-use super::{CELL_GRAIN, StateOf, View, centers_read};
+use super::{CELL_GRAIN, StateOf, View, affine_density_read, centers_read};
 use crate::Scalar;
+use crate::affine_density::density_of_cell;
 use crate::basis::Fit;
 use crate::cells::{CellKind, Cells};
 use crate::grid::Grid;
@@ -120,6 +121,18 @@ where
 {
     let particles = view.particles;
     let cell = view.grid.cell_coordinates(view.cells.index[slot]);
+    let is_affine = !particles.density_slope.is_empty() && !view.cells.near_surface[slot];
+    let affine =
+        is_affine.then(|| density_of_cell(simd, &view.cloud(), cell, affine_density_read(view)));
+    counters.n_affine_sums += u64::from(is_affine);
+    let volume = view.grid.cell_volume();
+    if let Some(density) = affine
+        && <StateOf<T, D, K> as Field<T>>::COMPONENTS == 0
+    {
+        let state = StateOf::<T, D, K>::default();
+        let pressure = view.physics.pressure(density, &state);
+        return Center { density, pressure, volume, state };
+    }
     let reconstruction = view.method.reconstruction();
     let fit = reconstruction.fit_center(simd, &view.cloud(), cell, centers_read(view));
     counters.count_fit(&fit);
@@ -128,8 +141,9 @@ where
         let point = view.cells.points(slot).start;
         (Value(particles.density[point]), particles.state[point])
     });
+    let density = affine.unwrap_or(density);
     let pressure = view.physics.pressure(density, &state);
-    Center { density, pressure, volume: view.grid.cell_volume(), state }
+    Center { density, pressure, volume, state }
 }
 
 /// A cell cut by the surface: volume-weighted means over the points that it holds; their volume, or that of

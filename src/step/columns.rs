@@ -3,13 +3,13 @@
 use super::{ParticlesOf, StateOf, View};
 use crate::Scalar;
 use crate::material::Material;
-use crate::math::{Field, MAX_COMPONENTS, Value};
+use crate::math::{Field, MAX_COMPONENTS, Value, Vector};
 use crate::method::Method;
 use crate::quadrature::Quadrature;
 use crate::reconstruction::{Columns, Flow, InColumns, Reconstruction};
 
-/// Writes position, ρv, ρ and the state of the material of all points, in this order, where a method
-/// reconstructs fields.
+/// Writes position, ρv, ρ, the state of the material and, where there is one, the slope of ρ of all points, in this order,
+/// where a method reconstructs fields.
 pub fn gather_columns<T, const D: usize, M, K>(
     particles: &ParticlesOf<T, D, M, K>,
     columns: &mut Columns<T>,
@@ -25,7 +25,8 @@ pub fn gather_columns<T, const D: usize, M, K>(
     }
     let p = particles;
     let n_components = <StateOf<T, D, K> as Field<T>>::COMPONENTS;
-    columns.resize(p.len(), 2 * D + 1 + n_components);
+    let is_affine = !p.density_slope.is_empty();
+    columns.resize(p.len(), 2 * D + 1 + n_components + if is_affine { D } else { 0 });
     for axis in 0..D {
         columns.set(axis, |points| p.position[points].iter().map(move |x| x[axis]));
         columns.set(D + axis, |points| {
@@ -43,6 +44,25 @@ pub fn gather_columns<T, const D: usize, M, K>(
             })
         });
     }
+    for axis in (0..D).filter(|_| is_affine) {
+        columns.set(2 * D + 1 + n_components + axis, |points| {
+            p.density_slope[points].iter().map(move |slope| slope[axis])
+        });
+    }
+}
+
+/// Density and slope of the points, where density is affine.
+#[inline(always)]
+pub fn affine_density_read<'a, T, const D: usize, M, K>(
+    view: &View<'a, T, D, M, K>,
+) -> (InColumns<'a, T, Value<T>>, InColumns<'a, T, Vector<T, D>>)
+where
+    T: Scalar,
+    M: Method<T, D>,
+    K: Material<T, D>,
+{
+    let n_components = <StateOf<T, D, K> as Field<T>>::COMPONENTS;
+    (view.columns.field(2 * D), view.columns.field(2 * D + 1 + n_components))
 }
 
 /// What is fitted at centres: density and state of the material.

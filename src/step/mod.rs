@@ -17,7 +17,7 @@ mod stretch;
 mod update_grid;
 
 pub use centers::{CellSamples, Center, divergence, rebuild_centers};
-pub use columns::{centers_read, gather_columns, nodes_read};
+pub use columns::{affine_density_read, centers_read, gather_columns, nodes_read};
 pub use grid_to_particles::{GridState, Pass, StateSource, grid_to_particles};
 pub use interpolate::{divergence_at_points, gradients_at_points, interpolate};
 pub use limit_pressure::{CellMean, limit_pressure};

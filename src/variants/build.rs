@@ -230,6 +230,7 @@ where
         let mut solver = Solver::new(self.scene, method, material)?;
         solver.pressure_limiter = self.settings.pressure_limiter;
         solver.set_smoothing(self.settings)?;
+        solver.set_affine_density(self.settings.affine_density, self.scene)?;
         solver.set_rearrangement(self.settings.rearrangement)?;
         Ok(Box::new(solver))
     }

@@ -29,7 +29,7 @@ pub static ALL: [Benchmark; 16] = [
 ];
 
 /// The methods compared: those that every case compares, and of their rivals the ones that differ most.
-pub const VARIANTS: [Variant; 18] = [
+pub const VARIANTS: [Variant; 20] = [
     Variant::Tpm,
     Variant::TpmVp,
     Variant::Mpm,
@@ -48,6 +48,8 @@ pub const VARIANTS: [Variant; 18] = [
     Variant::TpmVpFmpm,
     Variant::TpmVpEven,
     Variant::CellAdjoint,
+    Variant::TpmAffine,
+    Variant::CellAdjointAffine,
 ];
 
 /// Those of them that the bare command runs, at three levels.

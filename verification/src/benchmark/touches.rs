@@ -11,6 +11,7 @@ use crate::problems::Resolution;
 ///
 /// ```text
 /// (samples + points · gathers + points · extra passes) · w^D + fits · (points per cell) · (2 s)^D
+///     + affine sums · (points per cell) · 3^D
 /// ```
 ///
 /// with w the nodes per axis of the grid functions and s the support of the fits in cells. Extra passes are the
@@ -40,8 +41,14 @@ pub(super) fn touches(
         let share = count("n_projections") / count("n_steps").max(1.0);
         passes += 2.0 * f64::from(projection.order - 1) * points * share;
     }
+    if settings.affine_density {
+        // The velocity gradient that turns the slopes.
+        passes += points;
+    }
+    let of_cells_around = power(resolution.points_per_axis as f64) * power(3.0);
     let near = power(resolution.points_per_axis as f64) * power(2.0 * settings.support);
-    passes * stencil + count("n_reconstructions") * near
+    let sums = count("n_affine_sums") * of_cells_around;
+    passes * stencil + count("n_reconstructions") * near + sums
 }
 
 #[cfg(test)]

@@ -7,14 +7,12 @@
 //! times as much; `surface`, a floor and 10 cells of water below a free surface at every twentieth of a cell,
 //! displaced by up to 0.9, with the policy of free surfaces.
 //!
-//! The map is that of velocity and density. A method whose points carry an affine field besides needs that field,
-//! which an observation does not have: `apic` is put together from its types, others are not judged. Points are not
+//! The map is that of velocity and density, and of the affine fields that points carry besides. Points are not
 //! rearranged, since they are to stay. What is done in every n-th step makes n steps the map, and their growth is
 //! shared out among them.
 
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
-use transpoint::variants::TransferKind;
-use transpoint::{Scene, Settings, Variant};
+use transpoint::{Scene, Settings};
 
 use super::list::{Goal, HardCase, Run};
 use super::trial::{Built, COURANT, Measured, Trial, refused, worse};
@@ -86,11 +84,6 @@ fn growth<const D: usize>(
     settings: &Settings,
     build: &dyn Fn(&Scene<D>, &Settings) -> Built<D>,
 ) -> Result<f64, Outcome> {
-    let is_known =
-        trial.variant == Variant::Apic || trial.variant.parts().transfer == TransferKind::Flip;
-    if !is_known {
-        return Err(refused(&"the points' affine field is not observed"));
-    }
     let period = trial.variant.settings(settings).projection.map_or(1, |filter| filter.interval);
     let in_place = |scene: &Scene<D>, settings: &Settings| {
         let mut simulation = build(scene, settings)?;

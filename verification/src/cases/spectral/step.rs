@@ -2,15 +2,9 @@
 
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
-use transpoint::formulation::Formulation;
-use transpoint::material::Inviscid;
-use transpoint::method::Scheme;
-use transpoint::quadrature::Particle;
-use transpoint::reconstruction::Carried;
 use transpoint::scene::{Boundary, EquationOfStateSpec, GridSpec, PointSpec};
-use transpoint::shape::QuadraticBspline;
-use transpoint::transfer::Apic;
-use transpoint::{InvalidInput, Scene, Settings, Simulation, Solver, Variant};
+use transpoint::variants::TransferKind;
+use transpoint::{InvalidInput, Scene, Settings, Simulation, Variant};
 
 /// What comes of building.
 pub(super) type Built<const D: usize> = Result<Box<dyn Simulation<D>>, InvalidInput>;
@@ -31,9 +25,17 @@ pub(in crate::cases) struct Step<'a, const D: usize> {
 }
 
 impl<const D: usize> Step<'_, D> {
-    /// Numbers per point: velocity, density and, where there is one, the affine field.
+    /// Numbers per point: velocity, density and, where there are such, the affine velocity field and the slope of the
+    /// density.
     pub(super) fn width(&self) -> usize {
-        if self.variant == Variant::Apic { D + 1 + D * D } else { D + 1 }
+        let (affine, slope) = self.carries();
+        D + 1 + if affine { D * D } else { 0 } + if slope { D } else { 0 }
+    }
+
+    /// Whether points carry an affine velocity field, and whether a slope of the density.
+    fn carries(&self) -> (bool, bool) {
+        let affine = self.variant.parts().transfer != TransferKind::Flip;
+        (affine, self.variant.settings(self.settings).affine_density)
     }
 
     /// The state of the scene: rest at the reference density.
@@ -47,17 +49,21 @@ impl<const D: usize> Step<'_, D> {
     /// Writes to `after` the state after one period from `state` at the positions of the scene.
     pub(super) fn advance(&mut self, state: &[f64], after: &mut [f64]) -> Result<(), String> {
         let width = self.width();
+        let (affine, slope) = self.carries();
         for (point, values) in self.scene.points.iter_mut().zip(state.chunks(width)) {
             point.velocity.copy_from_slice(&values[..D]);
             point.density = values[D];
-            for (row, values) in point.velocity_gradient.iter_mut().zip(values[D + 1..].chunks(D)) {
-                row.copy_from_slice(values);
+            let mut rest = values[D + 1..].chunks(D);
+            if affine {
+                for (row, values) in point.velocity_gradient.iter_mut().zip(rest.by_ref()) {
+                    row.copy_from_slice(values);
+                }
             }
+            point.density_slope = slope.then(|| {
+                let values = rest.next().unwrap_or_default();
+                std::array::from_fn(|axis| values[axis])
+            });
         }
-        if self.variant == Variant::Apic { self.affine_step(after) } else { self.plain_step(after) }
-    }
-
-    fn plain_step(&self, after: &mut [f64]) -> Result<(), String> {
         let mut simulation =
             (self.build)(&self.scene, self.settings).map_err(|error| error.to_string())?;
         for _ in 0..self.period {
@@ -68,33 +74,16 @@ impl<const D: usize> Step<'_, D> {
             let values = &mut after[point.id as usize * width..][..width];
             values[..D].copy_from_slice(&point.velocity);
             values[D] = point.density;
-        });
-        Ok(())
-    }
-
-    /// [`Variant::Apic`] with its types known, since an observation has no affine field.
-    fn affine_step(&self, after: &mut [f64]) -> Result<(), String> {
-        let scheme = Scheme {
-            shape: QuadraticBspline,
-            reconstruction: Carried,
-            quadrature: Particle,
-            transfer: Apic,
-            formulation: Formulation::Standard,
-            stress_update: self.settings.stress_update,
-        };
-        let mut solver = Solver::<f64, D, _, _>::new(&self.scene, scheme, Inviscid)
-            .map_err(|error| error.to_string())?;
-        solver.advance(self.dt).map_err(|error| error.to_string())?;
-        let points = &solver.particles;
-        let width = self.width();
-        for (k, &id) in points.id.iter().enumerate() {
-            let values = &mut after[id as usize * width..][..width];
-            values[..D].copy_from_slice(&points.velocity[k]);
-            values[D] = points.density[k];
-            for (out, row) in values[D + 1..].chunks_mut(D).zip(points.affine[k].0) {
-                out.copy_from_slice(&row);
+            let mut rest = values[D + 1..].chunks_mut(D);
+            if affine {
+                for (row, found) in rest.by_ref().zip(point.velocity_gradient) {
+                    row.copy_from_slice(&found);
+                }
             }
-        }
+            if slope {
+                rest.for_each(|row| row.copy_from_slice(&point.density_slope));
+            }
+        });
         Ok(())
     }
 }
