@@ -114,9 +114,12 @@ impl<T: Scalar, const D: usize> LinearFit<T, D> {
     }
 
     /// Value and slopes at the origin, by the factors L D Lᵀ of the moments, with no entry of D less than `least` times
-    /// the sum of the weights.
+    /// the sum of the weights; zero without data.
     #[inline(always)]
     fn solve(&self, least: T) -> (T, [T; D]) {
+        if !(self.moments[0][0] > T::zero()) {
+            return (T::zero(), [T::zero(); D]);
+        }
         let mut lower = self.moments;
         let (mut pivots, mut x) = ([T::zero(); 4], self.values);
         for i in 0..=D {
