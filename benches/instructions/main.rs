@@ -5,7 +5,8 @@
 //! 2 % fails, in either direction: a gain is a new baseline. What is counted is the baseline instruction
 //! set, so that the counts do not depend on the processor; they hold for one compiler, and under others
 //! are reported only. Without valgrind nothing is measured; `--require` makes that a failure. `--variants`
-//! counts every named method instead and prints a table.
+//! counts every named method instead, in one and two dimensions, and prints a table; with `--update` it writes
+//! `variants.csv`, which the study of speed against error takes in.
 
 #[path = "../generic.rs"]
 mod generic;
@@ -45,8 +46,11 @@ fn main() -> ExitCode {
         eprintln!("valgrind is not installed: no instruction was counted, nothing is checked");
         return ExitCode::from(u8::from(has("--require")));
     }
-    let sound =
-        if has("--variants") { variants::report().map(|()| true) } else { check(has("--update")) };
+    let sound = if has("--variants") {
+        key().and_then(|key| variants::report(&key, has("--update"))).map(|()| true)
+    } else {
+        check(has("--update"))
+    };
     match sound {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
@@ -57,9 +61,14 @@ fn main() -> ExitCode {
     }
 }
 
+/// What the counts of this build hold for.
+fn key() -> Result<Key, String> {
+    Ok(Key { toolchain: count::toolchain()?, level: workloads::level() })
+}
+
 /// Counts every workload; true if all are within tolerance.
 fn check(update: bool) -> Result<bool, String> {
-    let key = Key { toolchain: count::toolchain()?, level: workloads::level() };
+    let key = key()?;
     let mut baselines = Baselines::read()?;
     let mut sound = true;
     println!("{}, {}", key.toolchain, key.level);

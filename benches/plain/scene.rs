@@ -15,10 +15,10 @@ pub const DT: f64 = 0.1 * SPACING / SOUND_SPEED;
 /// How the points lie in their cells, and with that how often they have to be sorted again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
-    /// A lattice of 2^D points per cell, jittered by at most 0.3 of the point spacing: no point is
-    /// within a tenth of a cell of a face, so that short runs need no sorting.
+    /// A lattice of points, jittered by at most 0.3 of their spacing: none is within a fifth of that spacing of
+    /// a face of its cell, so that short runs need no sorting.
     Jittered,
-    /// 2^D points per cell at random, at least 0.002 of a cell away from the walls: some point
+    /// Points at random in their cells, at least 0.002 of a cell away from the walls: some point
     /// changes cell in nearly every step.
     Random,
 }
@@ -31,20 +31,31 @@ pub fn scene<const D: usize>(n_points: usize, layout: Layout) -> Scene<D> {
 
 /// A box of `cells` cells with 2^D points each.
 pub fn scene_of_cells<const D: usize>(cells: [usize; D], layout: Layout) -> Scene<D> {
+    scene_of_points(cells, 2, layout)
+}
+
+/// A box of `cells` cells with `per_axis` points along each axis of a cell.
+pub fn scene_of_points<const D: usize>(
+    cells: [usize; D],
+    per_axis: usize,
+    layout: Layout,
+) -> Scene<D> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let n_cells: usize = cells.iter().product();
-    let volume = (SPACING / 2.0).powi(i32::try_from(D).expect("a small dimension"));
-    let mut points = Vec::with_capacity(n_cells << D);
+    let dimension = u32::try_from(D).expect("a small dimension");
+    let (width, per_cell) = (1.0 / per_axis as f64, per_axis.pow(dimension));
+    let volume = (SPACING * width).powi(dimension.cast_signed());
+    let mut points = Vec::with_capacity(n_cells * per_cell);
     for c in 0..n_cells {
-        for corner in 0..1_usize << D {
+        for corner in 0..per_cell {
             let (mut rest, mut position) = (c, [0.0; D]);
             for a in (0..D).rev() {
                 let (cell, u) = (rest % cells[a], random.unit());
                 rest /= cells[a];
+                let place = corner / per_axis.pow(a as u32) % per_axis;
                 let inside = match layout {
                     Layout::Jittered => {
-                        0.25 + 0.5 * f64::from(u8::from(corner >> a & 1 == 1))
-                            + 0.15 * (2.0 * u - 1.0)
+                        (0.5 + place as f64) * width + 0.3 * width * (2.0 * u - 1.0)
                     }
                     Layout::Random => 0.002 + 0.996 * u,
                 };

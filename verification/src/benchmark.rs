@@ -110,6 +110,17 @@ impl Benchmark {
         ask!(self.0, problem => problem.has_free_surface())
     }
 
+    /// Whether the fluid has a viscosity.
+    pub fn is_viscous(&self) -> bool {
+        let coarsest = self.resolution(0, POINTS_PER_AXIS[0]);
+        ask!(self.0, problem => problem.set_up(&coarsest).scene.viscosity.is_some())
+    }
+
+    /// Whether a method runs here with its stress updated modified-last, by the policy of free surfaces.
+    pub fn is_modified_last(&self, variant: Variant) -> bool {
+        self.has_free_surface() && free_surface::is_modified_last(variant)
+    }
+
     /// Orders to expect of the first error.
     pub fn expected_order(&self) -> Option<(f64, f64)> {
         ask!(self.0, problem => problem.expected_order())

@@ -1,13 +1,17 @@
 //! Speed against error: what each method costs on each problem, and what it gets for it.
 //!
-//! Two phases. The runs of [`Benchmark::sweep`] give the errors and the counters, which any machine reproduces. The
-//! timing runs of [`timing`] give seconds per step, of this machine: all methods in turns, one thread, warm-up left
-//! out, the least of several. A run that blew up is a gap with its reason.
+//! Two phases. The runs of [`Benchmark::sweep`] give the errors and the counters, which any machine reproduces:
+//! touches, points times steps, and what follows from these with the state of a point (bytes) and with a snapshot of
+//! counts (instructions). The timing runs of [`timing`] give seconds per step, of this machine: all methods in turns,
+//! one thread, warm-up left out, the least of several. A run that blew up is a gap with its reason.
 
 mod advice;
 mod artifacts;
+mod cost;
 mod front;
+mod instructions;
 mod measured;
+mod runs;
 mod tables;
 #[cfg(test)]
 mod tests;
@@ -18,8 +22,9 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 pub use advice::{Advice, advise};
+pub use cost::Cost;
 pub use front::{cost_at_error, error_at_cost, front};
-pub use measured::{Cost, Measured};
+pub use measured::Measured;
 
 use crate::benchmark::{self, Benchmark};
 use crate::case::Case;
@@ -27,7 +32,7 @@ use crate::cli::SelectionArguments;
 use crate::ingredients::{self, IngredientTimings, Ingredients};
 use crate::plan::{Found, Plan};
 use crate::record::RunRecord;
-use crate::report;
+use crate::report::{self, Area};
 
 /// The problems of the study as cases, and what is asked of ingredients.
 pub fn cases() -> Vec<&'static dyn Case> {
@@ -90,20 +95,23 @@ impl Study {
         Ok(Self { problems, ingredients, shortfall: found.shortfall(&plan.out) })
     }
 
-    /// Writes figures, tables and pages: what any machine reproduces below `accuracy/work-precision/`, seconds below
-    /// `timing/work-precision/`.
+    /// Writes figures, tables and a page for each scale of cost: what any machine reproduces below
+    /// `accuracy/work-precision/`, seconds below `timing/work-precision/`.
     ///
     /// # Errors
     /// When a file cannot be drawn or written.
     pub fn write(&self, out: &Path) -> Result<()> {
-        for cost in [Cost::Touches, Cost::Seconds] {
+        for cost in Cost::ALL {
             let known = |(_, points): &(&Benchmark, Vec<Measured>)| {
                 points.iter().any(|point| point.cost(cost).is_finite())
             };
             if !self.problems.iter().any(known) {
                 continue;
             }
-            let area = if cost == Cost::Touches { "accuracy" } else { "timing" };
+            let area = match cost.area() {
+                Area::Accuracy => "accuracy",
+                Area::Timing => "timing",
+            };
             let folder = out.join(area).join("work-precision");
             let mut artifacts = artifacts::all(&self.problems, cost);
             let [records, timings] = &self.ingredients;
@@ -114,7 +122,7 @@ impl Study {
             for artifact in &artifacts {
                 report::write_artifact(&folder, artifact)?;
             }
-            crate::record::write_whole(&folder.join("README.md"), page.as_bytes())?;
+            crate::record::write_whole(&folder.join(cost.page()), page.as_bytes())?;
         }
         Ok(())
     }

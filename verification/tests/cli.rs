@@ -131,7 +131,13 @@ fn speed_against_error_from_the_command_line() {
         ["work-precision", "--case", "advected-wave", "--level", "0", "--quiet", "--out", folder];
     let output = verify(&study);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
-    for page in ["accuracy/work-precision/README.md", "timing/work-precision/README.md"] {
+    for page in [
+        "accuracy/work-precision/README.md",
+        "accuracy/work-precision/instructions.md",
+        "accuracy/work-precision/point_steps.md",
+        "accuracy/work-precision/bytes.md",
+        "timing/work-precision/README.md",
+    ] {
         assert!(out.path().join(page).exists(), "{page}");
     }
     let again = verify(&study);

@@ -9,13 +9,14 @@ use crate::problems::{
 };
 
 /// The problems, in the order of the page.
-pub static ALL: [Benchmark; 16] = [
+pub static ALL: [Benchmark; 17] = [
     Benchmark(AnyProblem::Line(&advected_wave::AdvectedWave)),
     Benchmark(AnyProblem::Line(&riemann_tube::RiemannTube)),
     Benchmark(AnyProblem::Plane(&pressure_pulse::PressurePulse)),
     Benchmark(AnyProblem::Plane(&poiseuille::PoiseuilleStart)),
-    Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: Some(100.0) })),
-    Benchmark(AnyProblem::Plane(&taylor_green::Vortices { reynolds: None })),
+    Benchmark(AnyProblem::Plane(&taylor_green::RE_100)),
+    Benchmark(AnyProblem::Plane(&taylor_green::RE_1000)),
+    Benchmark(AnyProblem::Plane(&taylor_green::INVISCID)),
     Benchmark(AnyProblem::Plane(&gresho::GreshoVortex)),
     Benchmark(AnyProblem::Plane(&cavity::LidCavity)),
     Benchmark(AnyProblem::Line(&loaded_column::SuddenLoad)),

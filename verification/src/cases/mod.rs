@@ -32,7 +32,7 @@ use crate::case::Case;
 use crate::ingredients::Ingredients;
 
 /// Every case, in the order of the page.
-pub static ALL: [&dyn Case; 35] = [
+pub static ALL: [&dyn Case; 36] = [
     &sine_wave::SineWave,
     &riemann::Riemann,
     &dam_break::DamBreak,
@@ -64,6 +64,7 @@ pub static ALL: [&dyn Case; 35] = [
     &benchmark::ALL[13],
     &benchmark::ALL[14],
     &benchmark::ALL[15],
+    &benchmark::ALL[16],
     &Ingredients,
     &operators::Operators,
     &spectral::Spectral,

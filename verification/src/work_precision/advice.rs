@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::measured::{Cost, Measured};
+use super::cost::Cost;
+use super::measured::Measured;
 
 /// The cheapest run of one method that reached the error asked for.
 #[derive(Clone, Debug, PartialEq, Serialize)]

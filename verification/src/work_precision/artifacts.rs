@@ -1,15 +1,16 @@
 //! Figures, tables and the page of the study, on one scale of cost.
 
+use super::cost::Cost;
 use super::front::front;
-use super::measured::{Cost, Measured};
+use super::measured::Measured;
 use super::tables::{cheapest, ranking, reached, within_budget};
+use super::{instructions, runs};
 use crate::benchmark::{Benchmark, COURANT, OWN_SHARE, VARIANTS};
 use crate::case::Case;
-use crate::number;
 use crate::report::axis::Axis;
 use crate::report::plot::{Curve, Figure, Look, Panel};
 use crate::report::table::{Cell, Table};
-use crate::report::{Area, Artifact, Content, page};
+use crate::report::{Artifact, Content, page};
 
 /// Errors whose cost is tabled.
 pub(super) const TARGETS: [(f64, &str); 3] = [(0.1, "10pct"), (0.03, "3pct"), (0.01, "1pct")];
@@ -20,36 +21,55 @@ pub(super) fn all(problems: &Problems, cost: Cost) -> Vec<Artifact> {
     let mut artifacts = vec![cheapest(problems, cost), ranking(problems, cost)];
     artifacts.extend(TARGETS.iter().map(|&(error, name)| reached(problems, cost, error, name)));
     artifacts.push(within_budget(problems, cost));
-    for (benchmark, points) in problems {
+    for (benchmark, points) in problems.iter().filter(|_| cost.shows_problems()) {
         artifacts.push(figure(benchmark, points, cost));
         artifacts.push(front_table(benchmark, points, cost));
     }
     if cost == Cost::Touches {
-        artifacts.push(gaps(problems));
-        artifacts.push(every_point(problems));
+        artifacts.push(runs::gaps(problems));
+        artifacts.push(runs::every_point(problems));
     }
     artifacts
 }
 
-/// The page that shows some artifacts.
+/// The page that shows the artifacts of a scale.
 pub(super) fn page(artifacts: &[Artifact], cost: Cost) -> String {
     let mut text = format!(
         "# Speed against error\n\nWritten by `verify work-precision`; do not edit. Errors are relative, those that each \
          problem names first; costs are {}. Each method runs on every problem at four cell sizes with 2 and with 3 \
          points per axis at {COURANT} of the common stable time step, and with 2 points at {OWN_SHARE} of the largest \
          Courant number with which the method ends the coarsest run with at most twice its error at the common one. All \
-         points are jittered.\n",
-        cost.label()
+         points are jittered.\n\n{}",
+        cost.label(),
+        cost.about()
     );
+    if cost == Cost::Instructions {
+        text.push_str(&format!(" Counted with {}.", instructions::holds_for()));
+    }
+    text.push('\n');
+    text.push_str(&other_scales(cost));
     let part =
         |artifact: &Artifact| format!("\n## {}\n\n{}", artifact.title, page::embed(artifact));
     text.extend(artifacts.iter().map(part));
     text
 }
 
+/// Links to the pages of the other scales in the same folder.
+fn other_scales(cost: Cost) -> String {
+    let others = Cost::ALL.into_iter().filter(|other| other.area() == cost.area());
+    let links: Vec<String> = others
+        .filter(|&other| other != cost)
+        .map(|other| format!("[{}]({})", other.label(), other.page()))
+        .collect();
+    if links.is_empty() {
+        String::new()
+    } else {
+        format!("\nThe same against other costs: {}.\n", links.join(", "))
+    }
+}
+
 pub(super) fn artifact(cost: Cost, stem: &str, title: String, content: Content) -> Artifact {
-    let area = if cost == Cost::Touches { Area::Accuracy } else { Area::Timing };
-    Artifact { stem: format!("{stem}_{}", cost.name()), title, area, content }
+    Artifact { stem: format!("{stem}_{}", cost.name()), title, area: cost.area(), content }
 }
 
 /// (cost, error) of the points of one method, or of all.
@@ -140,81 +160,4 @@ fn front_table(benchmark: &Benchmark, points: &[Measured], cost: Cost) -> Artifa
     };
     let stem = format!("wp_front_{}", benchmark.name().replace('-', "_"));
     artifact(cost, &stem, format!("{}: the front", benchmark.name()), Content::Table(table))
-}
-
-/// Runs that did not complete.
-fn gaps(problems: &Problems) -> Artifact {
-    let mut rows = Vec::new();
-    for (benchmark, points) in problems {
-        for point in points.iter().filter(|point| !point.reason.is_empty()) {
-            rows.push(vec![
-                Cell::Text(benchmark.name().to_owned()),
-                Cell::Text(point.variant.clone()),
-                Cell::Count(benchmark.resolution(point.level, 2).cells as u64),
-                Cell::Text(point.points.clone()),
-                Cell::Decimal(point.courant_number),
-                Cell::Text(point.reason.clone()),
-            ]);
-        }
-    }
-    let columns = ["problem", "variant", "cells", "points per cell", "Courant number", "reason"];
-    let table = Table { columns: columns.map(str::to_owned).to_vec(), rows, note: String::new() };
-    let title = "Runs that did not complete".to_owned();
-    Artifact {
-        stem: "wp_gaps".to_owned(),
-        title,
-        area: Area::Accuracy,
-        content: Content::Table(table),
-    }
-}
-
-/// All points, to compute with; without seconds, which are of this machine.
-fn every_point(problems: &Problems) -> Artifact {
-    let columns = [
-        "case",
-        "variant",
-        "points",
-        "courant",
-        "level",
-        "cells",
-        "spacing",
-        "courant_number",
-        "steps",
-        "n_points",
-        "bytes_per_point",
-        "touches",
-        "error",
-    ];
-    let mut rows = Vec::new();
-    for (benchmark, points) in problems {
-        for point in points {
-            let numbers = [
-                point.courant_number,
-                point.steps,
-                point.n_points,
-                point.bytes,
-                point.touches,
-                point.error,
-            ];
-            let mut row = vec![
-                Cell::Text(benchmark.name().to_owned()),
-                Cell::Text(point.variant.clone()),
-                Cell::Text(point.points.clone()),
-                Cell::Text(point.courant.clone()),
-                Cell::Count(point.level as u64),
-                Cell::Count(benchmark.resolution(point.level, 2).cells as u64),
-                Cell::Text(number::significant(point.spacing)),
-            ];
-            row.extend(numbers.map(Cell::Value));
-            rows.push(row);
-        }
-    }
-    let table = Table { columns: columns.map(str::to_owned).to_vec(), rows, note: String::new() };
-    let title = "Every run".to_owned();
-    Artifact {
-        stem: "wp_points".to_owned(),
-        title,
-        area: Area::Accuracy,
-        content: Content::Profiles(table),
-    }
 }

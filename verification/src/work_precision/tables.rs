@@ -1,8 +1,9 @@
 //! Tables over all problems: who reaches what at which cost.
 
 use super::artifacts::{Problems, TARGETS, artifact, pairs};
+use super::cost::Cost;
 use super::front::{cost_at_error, error_at_cost, front};
-use super::measured::{Cost, Measured};
+use super::measured::Measured;
 use crate::benchmark::{Benchmark, VARIANTS};
 use crate::case::Case;
 use crate::number;
@@ -124,10 +125,7 @@ pub(super) fn reached(problems: &Problems, cost: Cost, error: f64, name: &str) -
 
 /// Error at a cost, likewise.
 pub(super) fn within_budget(problems: &Problems, cost: Cost) -> Artifact {
-    let (budget, words) = match cost {
-        Cost::Touches => (1e8, "10⁸ touches"),
-        Cost::Seconds => (1.0, "one second"),
-    };
+    let (budget, words) = cost.budget();
     let cell = |points: &[Measured], variant: &str| {
         let pairs = pairs(points, Some(variant), cost);
         Cell::Value(error_at_cost(&pairs, budget).unwrap_or(f64::NAN))
