@@ -277,6 +277,7 @@ fn extrude<const D: usize, const E: usize>(scene: &Scene<D>) -> Scene<E> {
             velocity_gradient: std::array::from_fn(|row| {
                 if row < D { longer(point.velocity_gradient[row], 0.0) } else { [0.0; E] }
             }),
+            density_slope: point.density_slope.map(|slope| longer(slope, 0.0)),
             energy: point.energy,
         })
         .collect();

@@ -171,6 +171,8 @@ mod tests {
             mass: 1000.0 * volume,
             energy: 0.0,
             stress: [[0.0; 2]; 2],
+            velocity_gradient: [[0.0; 2]; 2],
+            density_slope: [0.0; 2],
         }
     }
 

@@ -29,6 +29,8 @@ fn state<const D: usize>(
             mass: point.mass,
             energy: 0.0,
             stress: [[0.0; D]; D],
+            velocity_gradient: [[0.0; D]; D],
+            density_slope: [0.0; D],
         }
     });
     Observation { time, points: points.collect() }

@@ -91,6 +91,8 @@ fn holes_are_within_the_outline_and_bays_are_not() {
                     mass: 1e-3,
                     energy: 0.0,
                     stress: [[0.0; 2]; 2],
+                    velocity_gradient: [[0.0; 2]; 2],
+                    density_slope: [0.0; 2],
                 });
             }
         }

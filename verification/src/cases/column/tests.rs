@@ -32,6 +32,8 @@ fn state(setup: &Setup, time: f64, pressure: impl Fn(f64) -> f64) -> Observation
         mass: point.mass,
         energy: 0.0,
         stress: [[0.0; 2]; 2],
+        velocity_gradient: [[0.0; 2]; 2],
+        density_slope: [0.0; 2],
     });
     Observation { time, points: points.collect() }
 }

@@ -26,6 +26,8 @@ fn state(parameters: &Parameters, time: f64, share: f64, delay: f64) -> Observat
             mass: point.mass,
             energy: 0.0,
             stress: [[share * bar.deviatoric_axial(x, at)]],
+            velocity_gradient: [[0.0; 1]; 1],
+            density_slope: [0.0; 1],
         }
     });
     Observation { time, points: points.collect() }

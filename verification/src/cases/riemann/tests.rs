@@ -32,6 +32,8 @@ fn exact_state(scene: &Scene<2>) -> Observation<2> {
             mass: point.mass,
             energy: 0.0,
             stress: [[0.0; 2]; 2],
+            velocity_gradient: [[0.0; 2]; 2],
+            density_slope: [0.0; 2],
         }
     });
     Observation { time: TIME, points: points.collect() }

@@ -24,6 +24,8 @@ fn state(parameters: &Parameters, time: f64, offset: f64) -> Observation<2> {
             mass: point.mass,
             energy: 0.0,
             stress: [[0.0; 2]; 2],
+            velocity_gradient: [[0.0; 2]; 2],
+            density_slope: [0.0; 2],
         }
     });
     Observation { time, points: points.collect() }

@@ -33,6 +33,8 @@ fn exact_state<const D: usize>(parameters: &Parameters, scene: &Scene<D>) -> Obs
             mass: point.mass,
             energy: 0.0,
             stress: [[0.0; D]; D],
+            velocity_gradient: [[0.0; D]; D],
+            density_slope: [0.0; D],
         }
     });
     Observation { time, points: points.collect() }

@@ -27,6 +27,8 @@ fn exact_state(scene: &Scene<1>) -> Observation<1> {
             mass: state.density * length,
             energy: state.pressure / (0.4 * state.density),
             stress: [[0.0]],
+            velocity_gradient: [[0.0; 1]; 1],
+            density_slope: [0.0; 1],
         }
     });
     Observation { time: TIME, points: points.collect() }
