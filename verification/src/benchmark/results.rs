@@ -43,6 +43,14 @@ pub(super) fn misses(problem: &str) -> &'static [Miss] {
                      the noise that starts there: the error falls with order one over three levels, but not from each to \
                      the next.",
         }],
+        "taylor-green-1000" => &[Miss {
+            variant: GATED,
+            layout: "jittered",
+            check: "asymptotic-range",
+            reason: "With four levels the finest error, 0.6 %, is what a weakly compressible fluid leaves, the waves of its \
+                     start included: with twice the speed of sound it is less than half of that, and the order between the \
+                     two finest grids 2.2.",
+        }],
         "taylor-green-inviscid" => &[Miss {
             variant: GATED,
             layout: "jittered",

@@ -44,7 +44,7 @@ pub(super) fn page(artifacts: &[Artifact], cost: Cost) -> String {
         cost.about()
     );
     if cost == Cost::Instructions {
-        text.push_str(&format!(" Counted with {}.", instructions::holds_for()));
+        text.extend([" Counted with ", instructions::holds_for(), "."]);
     }
     text.push('\n');
     text.push_str(&other_scales(cost));

@@ -7,7 +7,7 @@ use crate::report::Area;
 pub enum Cost {
     /// Accesses of the grid and of neighbours, the same on any machine.
     Touches,
-    /// Instructions by the counts of [`instructions`](super::instructions), the same on any machine.
+    /// Instructions by counts of each method per point and step, the same on any machine.
     Instructions,
     /// Points times steps, the same on any machine.
     PointSteps,

@@ -8,8 +8,11 @@ use crate::number;
 use crate::report::table::{Cell, Table};
 use crate::report::{Area, Artifact, Content};
 
-/// What a run measured on any machine, as columns of the file.
-const NUMBERS: [(&str, fn(&Measured) -> f64); 9] = [
+/// A column of the file: its heading and its number of a run.
+type Column = (&'static str, fn(&Measured) -> f64);
+
+/// What a run measured on any machine.
+const NUMBERS: [Column; 9] = [
     ("courant_number", |run| run.courant_number),
     ("steps", |run| run.steps),
     ("n_points", |run| run.n_points),
