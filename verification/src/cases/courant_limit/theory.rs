@@ -37,6 +37,8 @@ pub(super) fn reason(variant: Variant) -> Option<&'static str> {
         Some("moves or adds points")
     } else if settings.dilation.is_some() {
         Some("averages the divergence over nodes")
+    } else if settings.affine_density {
+        Some("carries slopes of the density")
     } else if settings.density_diffusion.is_some() {
         Some("diffuses the density")
     } else if settings.pressure_limiter.is_some() {
