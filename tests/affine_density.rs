@@ -67,6 +67,7 @@ fn slopes_turn_and_grow_with_the_flow() {
     for point in &mut scene.points {
         let from = [point.position[0] - middle[0], point.position[1] - middle[1]];
         point.velocity = [0, 1].map(|i| L[i][0] * from[0] + L[i][1] * from[1]);
+        point.density = DENSITY + slope[0] * from[0] + slope[1] * from[1];
         point.density_slope = Some(slope);
     }
     let mut simulation = scene.build(Variant::TpmAffine, &Settings::default());

@@ -98,8 +98,8 @@ fn a_shear_wave_stays_without_viscosity() {
     assert!(shear_wave_decays(method, Inviscid).is_err());
 }
 
-/// A point holds position, velocity, density, mass, identifier and cell; the affine field and the
-/// stress only where there are any.
+/// A point holds position, velocity, density, mass, identifier and cell; the affine field, the slope of the density and
+/// the stress only where there are any.
 #[test]
 fn points_carry_what_their_scene_and_method_need() {
     fn check<const D: usize>()
@@ -117,13 +117,18 @@ fn points_carry_what_their_scene_and_method_need() {
             let parts = variant.parts();
             let affine = if parts.transfer == TransferKind::Flip { 0 } else { tensor };
             let stretches = parts.kernel == Kernel::ConvectedGimp
-                || matches!(variant, Variant::MpmSplit | Variant::CellAdjoint);
+                || matches!(
+                    variant,
+                    Variant::MpmSplit | Variant::CellAdjoint | Variant::CellAdjointAffine
+                );
             let length = if stretches { 8 * D } else { 0 };
+            let has_slope = matches!(variant, Variant::TpmAffine | Variant::CellAdjointAffine);
+            let slope = if has_slope { 8 * D } else { 0 };
             // Rivals, and all in one dimension, have room for energy and viscous pressure beside stress.
             let has_own = parts.transfer != TransferKind::Tpic
                 && matches!(parts.fields, Fields::Carried | Fields::TransportPoints);
             let unused = if has_own && D > 1 { 0 } else { 16 };
-            let carried = plain + affine + length;
+            let carried = plain + affine + length + slope;
             assert_eq!(bytes(&scene), carried, "{} in {D}D", variant.name());
             assert_eq!(bytes(&viscous), carried + tensor + unused, "{} in {D}D", variant.name());
         }

@@ -30,6 +30,7 @@ use crate::method::Method;
 use crate::parallel::fold_blocks;
 use crate::quadrature::Quadrature;
 use crate::scene::Scene;
+use crate::settings::StressUpdate;
 use crate::solver::Solver;
 use crate::step::{CELL_GRAIN, gradients_at_points};
 use linear_fit::{Around, LEAST_AT_EDGES, LEAST_OF_CELLS};
@@ -112,6 +113,10 @@ where
     /// Finds the divergence of the points and strains their slopes over `dt` seconds with it.
     pub(crate) fn strain_slopes(&mut self, dt: T) {
         let Some(mut kept) = self.affine_density.take() else { return };
+        if self.method.stress_update() == StressUpdate::First {
+            // The cells of this step are not known yet.
+            self.rebuild_cells();
+        }
         kept.divergence.resize(self.particles.len(), T::zero());
         kept.strain.resize(self.particles.len(), [[T::zero(); D]; D]);
         let mut slopes = std::mem::take(&mut self.particles.density_slope);
