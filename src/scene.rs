@@ -256,25 +256,26 @@ mod axes {
 
 /// Vectors in scene files that may be left out.
 mod optional_axes {
-    use serde::{Deserializer, Serializer};
-
-    use super::axes;
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     #[expect(clippy::ref_option, reason = "serde's signature")]
     pub fn serialize<S: Serializer, const D: usize>(
         values: &Option<[f64; D]>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        match values {
-            Some(values) => axes::serialize(values, serializer),
-            None => serializer.serialize_none(),
-        }
+        values.as_ref().map(<[f64; D]>::as_slice).serialize(serializer)
     }
 
     pub fn deserialize<'de, S: Deserializer<'de>, const D: usize>(
         deserializer: S,
     ) -> Result<Option<[f64; D]>, S::Error> {
-        axes::deserialize(deserializer).map(Some)
+        let Some(values) = Option::<Vec<f64>>::deserialize(deserializer)? else { return Ok(None) };
+        let found = values.len();
+        let fixed = values.try_into();
+        fixed
+            .map(Some)
+            .map_err(|_| S::Error::custom(format!("expected {D} entries, found {found}")))
     }
 }
 

@@ -26,7 +26,8 @@ where
     /// ```
     ///
     /// F fits densities at the centers of cells, as the step does; Q takes them to the points with quadratic
-    /// B-splines about the cells, continued linearly beyond walls. Forces follow from F ρ alone, which does not see how
+    /// B-splines about the cells, continued linearly beyond walls. With affine densities F is their mean and Q the linear
+    /// field of least squares, which sets slopes too; cells near the surface, whose F is a fit, then keep their F ρ. Forces follow from F ρ alone, which does not see how
     /// the densities of points differ within a cell: what each collects along its path is neither opposed nor forgotten.
     pub(crate) fn filter_density(&mut self) {
         // A constant condition: not compiled for methods that carry their fields.

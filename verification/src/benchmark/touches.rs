@@ -16,7 +16,7 @@ use crate::problems::Resolution;
 ///
 /// with w the nodes per axis of the grid functions and s the support of the fits in cells. Extra passes are the
 /// way to the nodes and back of a stress updated modified-last and of an averaged divergence, and k − 1 ways there
-/// and back where the velocity is projected with k terms. It is a count of accesses, not of seconds: what is done
+/// and back where the velocity is projected with k terms, and one for the velocity gradient of affine densities. It is a count of accesses, not of seconds: what is done
 /// at each differs between methods by a small factor.
 pub(super) fn touches(
     variant: Variant,
