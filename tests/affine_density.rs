@@ -133,6 +133,23 @@ fn slopes_of_a_scene_are_checked() {
     assert_eq!(error.field, "points[7].density_slope");
 }
 
+/// In a scene file a slope may be left out or null; one of the wrong length is refused.
+#[test]
+fn slopes_in_scene_files() {
+    let mut scene = Block::<2>::full(4, Boundary::Slip).scene();
+    let read = |text: &str| serde_json::from_str::<Scene<2>>(text);
+    let text = serde_json::to_string(&scene).unwrap();
+    assert!(!text.contains("density_slope"));
+    assert_eq!(read(&text).unwrap(), scene);
+    let with = |slope: &str| text.replacen("\"mass\"", &format!("{slope},\"mass\""), 1);
+    assert_eq!(read(&with("\"density_slope\":null")).unwrap(), scene);
+    scene.points[0].density_slope = Some([0.5, -2.0]);
+    assert_eq!(read(&with("\"density_slope\":[0.5,-2.0]")).unwrap(), scene);
+    assert_eq!(read(&serde_json::to_string(&scene).unwrap()).unwrap(), scene);
+    let error = read(&with("\"density_slope\":[0.5]")).unwrap_err().to_string();
+    assert!(error.contains("expected 2 entries, found 1"), "{error}");
+}
+
 /// A uniform fluid at rest keeps zero slopes and its density.
 #[test]
 fn a_uniform_fluid_stays_uniform() {
